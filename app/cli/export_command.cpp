@@ -54,6 +54,10 @@ Outcome run(ExportCommand command) {
     return usage("\"" + command.out + "\" must end in " + format.ending + ".");
   std::vector<Target> targets;
   if (format.files.empty()) targets.push_back({"--out", command.out});
+  if (format.beside != nullptr) {
+    std::filesystem::path beside = command.out;
+    targets.push_back({"the dictionary of --out", beside.replace_extension(format.beside)});
+  }
   for (const char* ending : format.files) targets.push_back({"--out", command.out + ending});
   if (const auto wrong = overwritten(targets, {}, {command.file})) return usage(*wrong);
   auto recording = Recording::open(command.file);
@@ -80,14 +84,14 @@ void addExport(CLI::App& program, Chosen& chosen) {
   command->add_option("file", options->file, "A recording, NAME.palpate")
       ->required()
       ->check(notEmpty());
-  command->add_option("--format", options->format, "csv (Motion-BIDS), hdf5, mcap, or video")
+  command->add_option("--format", options->format, "csv, motion-bids, hdf5, mcap, or video")
       ->required()
       ->check(CLI::IsMember(formatNames()));
   command
       ->add_option(
           "--out", options->out,
-          "File to write; for csv the beginning of the files' names: OUT_motion.tsv and so on; "
-          "a video is an .mp4 or .ogv; without ffmpeg an .ogv")
+          "File to write; beside an OUT.csv OUT.columns.json explains it; for motion-bids the "
+          "beginning of the files' names: OUT_motion.tsv and so on; a video is an .mp4 or .ogv")
       ->required()
       ->check(notEmpty());
   command->add_option("--from", options->options.from, "Leave out everything before this time [s]")

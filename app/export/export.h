@@ -46,18 +46,23 @@ struct Exported {
 using Export = haptics::Expected<Exported>(Recording& recording, const std::filesystem::path& out,
                                            const ExportOptions& options);
 
+/// One table of comma-separated values with a line of names, and beside it a JSON file that
+/// explains its columns, which is called as the table with kCsvDictionary as its ending.
+Export exportCsv;
 /// Tab-separated values in the shape of Motion-BIDS. `out` is the beginning of the files' names:
 /// out_motion.tsv, out_channels.tsv and so on.
-Export exportCsv;
+Export exportMotionBids;
 /// One HDF5 file.
 Export exportHdf5;
 /// One MCAP file of JSON messages.
 Export exportMcap;
 
-/// The endings of the files that exportCsv writes.
-inline constexpr const char* kCsvEndings[] = {"_motion.tsv",   "_contacts.tsv",  "_events.tsv",
-                                              "_channels.tsv", "_channels.json", "_motion.json",
-                                              "_events.json"};
+inline constexpr const char* kCsvDictionary = ".columns.json";
+
+/// The endings of the files that exportMotionBids writes.
+inline constexpr const char* kBidsEndings[] = {"_motion.tsv",   "_contacts.tsv",  "_events.tsv",
+                                               "_channels.tsv", "_channels.json", "_motion.json",
+                                               "_events.json"};
 
 /// A format that a recording is exported to.
 struct Format {
@@ -70,12 +75,21 @@ struct Format {
   Export* write;
   /// If `ending` is empty: the endings of the files' names, the largest file first.
   std::span<const char* const> files = {};
+  const char* beside = nullptr;  ///< ending of a second file, in place of `ending`; null: none
 };
 
 /// All formats. Command line and window read this table. To add a format, add its row.
 inline constexpr Format kFormats[] = {
-    {"csv", "", "CSV (Motion-BIDS)", "Tables as text, laid out as Motion-BIDS asks.",
-     "Motion-BIDS: files that begin with this name (*)", exportCsv, kCsvEndings},
+    {"csv",
+     ".csv",
+     "CSV",
+     "One table with a line of names, and a file that explains its columns.",
+     "CSV (*.csv)",
+     exportCsv,
+     {},
+     kCsvDictionary},
+    {"motion-bids", "", "Motion-BIDS", "Tables as text, laid out as Motion-BIDS asks.",
+     "Motion-BIDS: files that begin with this name (*)", exportMotionBids, kBidsEndings},
     {"hdf5", ".h5", "HDF5", "One file of arrays, for programs that compute.", "HDF5 (*.h5)",
      exportHdf5},
     {"mcap", ".mcap", "MCAP", "One file of messages over time, for viewers of robots' logs.",

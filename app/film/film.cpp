@@ -268,6 +268,8 @@ Expected<FilmResult> makeFilm(Recording& recording, const VolumeOfScene& volume,
     file.emplace(TheoraFile{(*film)->part(), format});
   } else if (auto ffmpeg = FfmpegFile::start(options.ffmpeg, (*film)->part(), format)) {
     file.emplace(std::move(*ffmpeg));
+  } else if (out.extension() == kMp4) {
+    return refused({"film-no-ffmpeg", {}}, "encoder");
   } else {
     named = names[2];
     // nobody named it

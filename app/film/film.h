@@ -31,7 +31,8 @@ struct FilmOptions {
   bool recorded_camera = true;
   std::optional<FilmCamera> camera = {};
   std::optional<ui::SurfaceMode> surface = {};  ///< preferred surface, as in ui::chooseSurface
-  /// The ffmpeg program, searched in PATH if it has no slash. If empty or missing: Ogg Theora.
+  /// The ffmpeg program, searched in PATH if it has no slash. If empty or missing, an MP4 is
+  /// refused.
   std::string ffmpeg = "ffmpeg";
   /// Called with the completed fraction. Returning false ends the film, reason "cancelled".
   std::function<bool(double)> goes_on = {};
@@ -54,7 +55,7 @@ using VolumeOfScene = std::function<std::shared_ptr<const haptics::Volume>(std::
 
 /// Draws a recording and writes it as a film: frame i shows the last step at or before from + i
 /// speed / frames_per_second. `out` may end in .mp4, .ogv or neither; the film has the ending of
-/// its format: .ogv if `out` has it, else .mp4, or .ogv where there is no ffmpeg, which then
+/// its format: that of `out`; without one .mp4, or .ogv where there is no ffmpeg, which then
 /// replaces no file. Files get their names when they are complete. After a refusal or cancellation
 /// no file remains.
 ///

@@ -29,6 +29,10 @@ inline constexpr Row kExports[] = {
     {"film-unwritable",
      "\"%1\" cannot be written; check that its folder exists, may be written to and has room.",
      "unwritable"},
+    {"film-no-ffmpeg",
+     "There is no ffmpeg, which makes MP4 films; install the package ffmpeg, or let the film's name "
+     "end in .ogv.",
+     "encoder"},
     {"film-other-name",
      "There is no ffmpeg, so the film would be \"%1\", which is there already; name it to write "
      "over it, or remove it.",

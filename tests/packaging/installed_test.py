@@ -98,7 +98,7 @@ assert "stability" in said("study", "--help")
 said("run", "--phantom", "sphere", "--isovalue", 1000, "--tool", "sphere", "--hand", "tap", "--seconds", 0.2,
      "--stiffness", 500, "--record", scratch / "t.palpate")
 assert "--burn-in" in said("export", "--help")
-said("export", scratch / "t.palpate", "--format", "csv", "--out", scratch / "t")
+said("export", scratch / "t.palpate", "--format", "csv", "--out", scratch / "t.csv")
 (prefix / "libexec/palpate/palpate-draw").rename(scratch / "palpate-draw")
 assert "--burn-in" not in said("export", "--help")
 told = json.loads(said("export", scratch / "t.palpate", "--format", "video", "--out", scratch / "t.mp4", "--json",

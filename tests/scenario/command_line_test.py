@@ -255,7 +255,9 @@ def loses_no_input():
     (place / "r.h5").symlink_to("r.palpate")
     (place / "e_motion.tsv").symlink_to("r.palpate")
     call("export", place / "r.palpate", "--format", "hdf5", "--out", place / "r.h5", code=2)
-    call("export", place / "r.palpate", "--format", "csv", "--out", place / "e", code=2)
+    call("export", place / "r.palpate", "--format", "motion-bids", "--out", place / "e", code=2)
+    (place / "e.columns.json").symlink_to("r.palpate")
+    call("export", place / "r.palpate", "--format", "csv", "--out", place / "e.csv", code=2)
     said = call(*touch(SPHERE, "--trace", place / "new", "--record", place / "sub/../new"), code=2)
     check(b"--record" in said.stderr and b"--trace" in said.stderr, f"one file for two: {said}")
     for path, content in before.items():
@@ -281,7 +283,7 @@ def steers_no_terminal():
                          (("tool", "probe", "--out", b"/no/" + path), 4),
                          (("run", b"--" + name), 2), (("recover", path), 3),
                          (("study", "plan", "--quick", "--shard", name, "--out", path), 2),
-                         (("export", path, "--format", "csv", "--out", path), 3)]
+                         (("export", path, "--format", "motion-bids", "--out", path), 3)]
         for words, code in commands:
             for json_too in ((), ("--json",)):
                 done = call(*words, *json_too, code=code)
@@ -435,8 +437,8 @@ def speaks_one_language():
         call("convert", *SPHERE, volume, env=env)
         call(*touch(("--volume", volume), "--trace", trace), env=env)
         exported.mkdir()
-        call("export", place / "r.palpate", "--out", exported / "e", "--format", "csv", env=env)
-        answers.append([path.read_bytes() for path in (volume, trace, exported / "e_motion.tsv")] +
+        call("export", place / "r.palpate", "--out", exported / "e.csv", "--format", "csv", env=env)
+        answers.append([path.read_bytes() for path in (volume, trace, exported / "e.csv")] +
                        [call("info", volume, "--json", env=env).stdout,
                         call("info", place / "none.nrrd", env=env, code=3).stderr])
         check(b"0." in answers[-1][1] and b"0." in answers[-1][2], "no decimals were compared")

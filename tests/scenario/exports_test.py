@@ -40,7 +40,7 @@ import rows  # noqa: E402
 
 AXES = "xyz"
 POSE = ["x", "y", "z", "qw", "qx", "qy", "qz"]
-CSV_ENDINGS = ["_motion.tsv", "_contacts.tsv", "_events.tsv", "_channels.tsv", "_channels.json",
+BIDS_ENDINGS = ["_motion.tsv", "_contacts.tsv", "_events.tsv", "_channels.tsv", "_channels.json",
                "_motion.json", "_events.json"]
 GREATEST_GROWTH_KB = 12 * 1024  # from 6 s to 60 s; the least export of the difference is 9 MB
 PEAK = """
@@ -147,7 +147,7 @@ def ns_of(seconds):
     return (-1 if seconds.startswith("-") else 1) * (int(whole) * 10**9 + int(decimals))
 
 
-def from_csv(prefix):
+def from_bids(prefix):
     channels = table(f"{prefix}_channels.tsv")
     check(channels[0][:6] == ["name", "component", "type", "tracked_point", "units",
                               "reference_frame"], "the channels' columns")
@@ -235,7 +235,7 @@ def validates(prefix):
             '{"Name": "touch", "BIDSVersion": "1.11.0", "Authors": ["A. Hand", "B. Eye"]}')
         (place / "README").write_text("A hand felt a phantom, and this is how it moved.\n" * 5)
         (place / "participants.tsv").write_text("participant_id\nsub-01\n")
-        for ending in CSV_ENDINGS:
+        for ending in BIDS_ENDINGS:
             if ending != "_contacts.tsv":
                 shutil.copy(f"{prefix}{ending}",
                             motion / f"sub-01_task-touch_tracksys-palpate{ending}")
@@ -333,11 +333,13 @@ def from_mcap(path):
     return read
 
 
-FORMATS = {"csv": ("", from_csv), "hdf5": (".h5", from_hdf5), "mcap": (".mcap", from_mcap)}
+FORMATS = {"motion-bids": ("", from_bids), "hdf5": (".h5", from_hdf5), "mcap": (".mcap", from_mcap)}
 
 
 def whole(format, out):
-    return [f"{out}{ending}" for ending in CSV_ENDINGS] if format == "csv" else [str(out)]
+    if format == "csv":
+        return [str(out), str(out.with_suffix(".columns.json"))]
+    return [f"{out}{ending}" for ending in BIDS_ENDINGS] if format == "motion-bids" else [str(out)]
 
 
 def compare(what, read, truth, chosen=None, contacts=True):
@@ -387,6 +389,41 @@ def holds_the_trace(folder):
         check(found["events"] == events, f"{format}: events are {found['events']}")
     is_bids(folder / "whole")
     return recording, truth
+
+
+def is_one_table(folder, recording, truth):
+    """What a spreadsheet makes of it: a line of names, numbers, and the events as words."""
+    out = folder / "whole.csv"
+    said = export(recording, "csv", out)
+    check(said["files"] == whole("csv", out) and said["steps"] == 3000, f"csv: {said}")
+    check(said["bytes"] == sum(os.path.getsize(f) for f in said["files"]), "csv: bytes")
+    with open(out, encoding="utf-8", newline="") as file:
+        names, *rows_ = csv.reader(file)
+    check(names[0] == "time_s" and names[-1] == "events" and len(set(names)) == len(names), f"csv: {names}")
+    check(len(rows_) == 3000 and all(len(row) == len(names) for row in rows_), "csv: rows of another length")
+    column = {name: [row[i] for row in rows_] for i, name in enumerate(names)}
+    pose = ["x", "y", "z", "quat_w", "quat_x", "quat_y", "quat_z"]
+    check([ns_of(t) for t in column["time_s"]] == truth["time"], "csv: times differ")
+    for name, wanted in (("device", ["device_" + n for n in pose]), ("proxy", ["proxy_" + n for n in pose]),
+                         ("force", ["force_" + a for a in AXES]), ("torque", ["torque_" + a for a in AXES])):
+        same(f"csv {name}", [[row[i] for i in map(names.index, wanted)] for row in rows_], truth[name])
+    # each event is in the first row that is not before it
+    events = [e for e in truth["events"] if e[1] != "camera"]
+    check(said["events"] == len(events), f"csv: {said['events']} events in place of {len(events)}")
+    for time_ns, kind, value, note in events:
+        row = min(bisect.bisect_left(truth["time"], time_ns), 2999)
+        words = column["events"][row].split(" | ")
+        wanted = kind + (f" {value:g}" if value is not None else "")
+        plain = note.replace("\t", " ").replace("\n", " ")
+        check(any(w.startswith(wanted) and w.endswith(plain) for w in words), f"csv: {words} lack {wanted} {note}")
+    explained = json.load(open(whole("csv", out)[1], encoding="utf-8"))
+    check(list(explained["columns"]) == names, "the dictionary's columns are not the table's")
+    check(all(c["meaning"] for c in explained["columns"].values()), "a column without a meaning")
+    units = {name: c.get("unit") for name, c in explained["columns"].items()}
+    check(units["time_s"] == "s" and units["device_x"] == "m" and units["force_z"] == "N", f"csv: {units}")
+    check("left, posterior, superior" in explained["frame"], explained["frame"])
+    said = export(recording, "csv", folder / "slow.csv", "--rate", 100, "--from", 1)
+    check(said["steps"] == 200, f"csv: {said}")
 
 
 def has_no_date(folder, recording):
@@ -441,8 +478,9 @@ def refuses(folder, recording):
     (other / "file").write_text("in the way")
     (other / "folder.h5").mkdir()
     (other / "folder.mcap").mkdir()
+    (other / "folder.csv").mkdir()
     (other / "folder_motion.tsv").mkdir()
-    for format, (ending, _) in FORMATS.items():
+    for format, (ending, _) in {**FORMATS, "csv": (".csv", None)}.items():
         for out in (other / f"no-folder/x{ending}", other / f"file/x{ending}",
                     other / f"folder{ending}"):
             export(recording, format, out, expect=4)
@@ -468,8 +506,9 @@ def refuses(folder, recording):
         check(all(pathlib.Path(f).stat().st_size > 100 for f in old), f"{format}: the old stays")
         for f in old:
             os.remove(f)
-    export(recording, "csv", str(other) + "/", expect=4)
-    check(left_in(other) == ["file", "folder.h5", "folder.mcap", "folder_motion.tsv"],
+    export(recording, "motion-bids", str(other) + "/", expect=4)
+    export(recording, "csv", other / "x.tsv", expect=2)
+    check(left_in(other) == ["file", "folder.csv", "folder.h5", "folder.mcap", "folder_motion.tsv"],
           f"left behind: {left_in(other)}")
 
     # what is no recording, or one that is broken
@@ -594,6 +633,7 @@ def main():
         export(recording, "mcap", folder / "short.mcap", "--from", 0.5, "--to", 0.6)
         missed = read_mcap.changes_missed(folder / "short.mcap", folder / "changed.mcap")
         check(missed == [], f"the reader of MCAP misses changed bytes at {missed}")
+        is_one_table(folder, recording, truth)
         has_no_date(folder, recording)
         chooses(folder, recording, truth)
         refuses(folder, recording)

@@ -126,7 +126,7 @@ def main():
     for name, words in (("deep_edits", "damaged"), ("generated_texts", "no recording of Palpate")):
         recording = HOSTILE / f"{name}.palpate"
         expect(3, words, "replay", recording, "--phantom", "sphere", limit=limited)
-        expect(3, words, "export", recording, "--format", "csv", "--out", folder / "x", limit=limited)
+        expect(3, words, "export", recording, "--format", "csv", "--out", folder / "x.csv", limit=limited)
         expect(3, words, "export", recording, "--format", "video", "--out", folder / "x.mp4", limit=limited)
     expect(3, "in line 2", "tool", HOSTILE / "comma_points.csv", "--out", out, limit=limited)
     expect(3, "as a mesh", "tool", HOSTILE / "no_z.ply", "--out", out, limit=limited)
@@ -154,7 +154,7 @@ def main():
                                  (".nrrd", (["info", place],)), (".mha", (["info", place],)), (".nii", (["info", place],)),
                                  (".dcm", (["info", place],)), (".zip", (["info", place],)),
                                  (".palpate", (["replay", place, "--phantom", "sphere"],
-                                               ["export", place, "--format", "csv", "--out", folder / "x"])),
+                                               ["export", place, "--format", "csv", "--out", folder / "x.csv"])),
                                  (".palpate.part", (["recover", place],))):
             named = place.with_name("place" + ending)
             make(kind, named)

@@ -172,8 +172,8 @@ def main():
     replayed = json.loads(call("replay", out / "r.palpate", "--volume", scan, "--json"))
     assert replayed["differing"] == 0 and replayed["volume"] == "same", replayed
     formats = subprocess.run([program, "export", "--help"], capture_output=True, text=True).stdout
-    assert all(name in formats for name in ("csv", "hdf5", "mcap")), formats
-    for name, target in (("csv", "e"), ("hdf5", "e.h5"), ("mcap", "e.mcap")):
+    assert all(name in formats for name in ("csv", "motion-bids", "hdf5", "mcap")), formats
+    for name, target in (("csv", "e.csv"), ("motion-bids", "e"), ("hdf5", "e.h5"), ("mcap", "e.mcap")):
         call("export", out / "r.palpate", "--format", name, "--out", out / target)
     # a modality that is no code, and no text: neither written nor in the way
     odd = folder / "in" / "PLNTFOLDER_odd"

@@ -146,7 +146,7 @@ running.kill()
 running.communicate()
 assert part.exists() and not k.exists()
 call("replay", part, "--phantom", "sphere", code=3)
-call("export", part, "--format", "csv", "--out", folder / "x", code=3)
+call("export", part, "--format", "csv", "--out", folder / "x.csv", code=3)
 call(*touch(1, "--record", k), code=4)
 said = call("recover", part)
 assert said["steps"] > 500 and said["lost"] == 0 and not part.exists(), said

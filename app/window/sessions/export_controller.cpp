@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QFileDialog>
+#include <QStandardPaths>
 #include <QTimer>
 #include <algorithm>
 #include <vector>
@@ -90,7 +91,8 @@ void ExportController::askAndExport(const Exported& recording) {
             tr("Make the film")))
       return;
   }
-  const QString ending = table != nullptr ? table->ending : ".mp4";
+  const bool mp4 = !QStandardPaths::findExecutable("ffmpeg").isEmpty();
+  const QString ending = table != nullptr ? table->ending : mp4 ? ".mp4" : ".ogv";
   QFileDialog dialog(messages_.window(), tr("Export to"));
   ui::askForOutput(dialog, table != nullptr ? translated(table->filter) : tr("Film (*.mp4 *.ogv)"),
                    ending.mid(1));
@@ -103,8 +105,11 @@ void ExportController::askAndExport(const Exported& recording) {
   std::vector<std::filesystem::path> written;
   if (table == nullptr)
     written = {std::filesystem::path(request.out).replace_extension(".frames.csv")};
-  if (table != nullptr)
+  if (table != nullptr) {
     for (const char* file : table->files) written.emplace_back(request.out) += file;
+    if (table->beside != nullptr)
+      written.push_back(std::filesystem::path(request.out).replace_extension(table->beside));
+  }
   if (out != dialog.selectedFiles().value(0)) written.push_back(request.out);
   const auto isThere = [](const std::filesystem::path& file) {
     std::error_code error;

@@ -3,6 +3,7 @@
 
 #include <QBuffer>
 #include <QClipboard>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -16,6 +17,7 @@
 #include "haptics/process/output_file.h"
 #include "haptics/scene/legal_pose.h"
 #include "ui/dialogs/save_dialog.h"
+#include "ui/views/slice_readout.h"
 #include "ui/views/volume_view.h"
 
 namespace app {
@@ -23,6 +25,15 @@ namespace {
 
 constexpr int kPictureSaidMs = 6000;
 constexpr double kRestForce = 0.3;  // N, of a tool that was brought to the surface
+
+/// What is in a picture and when it was taken, never of whom.
+QString pictureName(const ui::ScreenshotWish& wish) {
+  QString what = ViewController::tr("3-D view");
+  if (wish.slice) what = wish.slice->readout().name;
+  if (wish.whole_window) what = ViewController::tr("window");
+  return "palpate " + what + " " + QDateTime::currentDateTime().toString("yyyy-MM-dd hh.mm") +
+         ".png";
+}
 
 }  // namespace
 
@@ -125,7 +136,7 @@ void ViewController::savePicture(const ui::SliceView* first) {
         tr("The graphics cannot draw a picture of this size; choose a smaller one."));
   QFileDialog dialog(&window_, tr("Save picture as"));
   ui::askForOutput(dialog, tr("Picture (*.png)"), "png");
-  dialog.selectFile("palpate.png");
+  dialog.selectFile(pictureName(*wish));
   if (dialog.exec() != QDialog::Accepted) return;
   const QString path = dialog.selectedFiles().value(0);
   // pixels alone: nothing that names anybody is put beside them

@@ -464,9 +464,10 @@ TEST(RecordedSession, IsExportedBehindTheWindow) {
                      well = done;
                    });
   int number = 0;
-  for (const auto& [table, name] : {std::pair<std::optional<std::size_t>, const char*>{0, "csv"},
-                                    {1, "e.h5"},
-                                    {2, "e.mcap"},
+  for (const auto& [table, name] : {std::pair<std::optional<std::size_t>, const char*>{0, "e.csv"},
+                                    {1, "bids"},
+                                    {2, "e.h5"},
+                                    {3, "e.mcap"},
                                     {std::nullopt, "film"}}) {
     request.wish.table = table;
     request.out = fs::path(exports.path().toStdString()) / name;

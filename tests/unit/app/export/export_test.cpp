@@ -80,7 +80,7 @@ std::vector<int> chosen(const std::vector<std::int64_t>& times_ms, const ExportO
   std::vector<Step> steps;
   for (const std::int64_t time : times_ms) steps.push_back(at(time * 1'000'000));
   Recording recording = recorded(scratch / "r.palpate", steps);
-  const auto exported = exportCsv(recording, scratch / "x", options);
+  const auto exported = exportMotionBids(recording, scratch / "x", options);
   if (!exported) {
     EXPECT_EQ(exported.error().reason, "empty") << sentence(exported.error());
     EXPECT_EQ(scratch.names().size(), 1U);
@@ -132,7 +132,7 @@ TEST(Selection, HoldsBothEndsOfTheWindowToTheNanosecond) {
 TEST(Selection, RefusesATimeThatGoesBackwards) {
   const ScratchFolder scratch;
   Recording recording = recorded(scratch / "r.palpate", {at(5), at(9), at(7), at(11)});
-  for (const auto& write : {exportHdf5, exportMcap, exportCsv}) {
+  for (const auto& write : {exportHdf5, exportMcap, exportMotionBids, exportCsv}) {
     const auto exported = write(recording, scratch / "x.out", {});
     ASSERT_FALSE(exported);
     EXPECT_EQ(exported.error().reason, "damaged");
@@ -151,7 +151,7 @@ TEST(ExportCsv, PrintsEveryDoubleSoThatItReadsAsTheSame) {
     steps.back().sent_W.force.x() = number;
   }
   Recording recording = recorded(scratch / "r.palpate", steps);
-  ASSERT_TRUE(exportCsv(recording, scratch / "x", {}));
+  ASSERT_TRUE(exportMotionBids(recording, scratch / "x", {}));
   const auto cells = channel(scratch / "x", "force_x");
   ASSERT_EQ(cells.size(), numbers.size());
   int missing = 0;
@@ -185,7 +185,7 @@ TEST(Export, TellsHowFarItIsAndLeavesNothingWhenItIsStopped) {
   std::vector<Step> steps;
   for (int i = 0; i < 20'000; ++i) steps.push_back(at(std::int64_t{i} * 1'000'000));
   Recording recording = recorded(scratch / "r.palpate", steps);
-  for (const auto& write : {exportHdf5, exportMcap, exportCsv}) {
+  for (const auto& write : {exportHdf5, exportMcap, exportMotionBids, exportCsv}) {
     std::vector<double> parts;
     ExportOptions options = within(5.0, kEver);
     options.goes_on = [&](double part) {
@@ -233,7 +233,7 @@ TEST(Export, LeavesNothingWhereThereIsNoRoomAndWorksAgainOnceThereIs) {
     steps.back().sent_W.force = haptics::Vec3::Constant(double(random()));
   }
   Recording recording = recorded(scratch / "r.palpate", steps);
-  for (const auto& write : {exportHdf5, exportMcap, exportCsv}) {
+  for (const auto& write : {exportHdf5, exportMcap, exportMotionBids, exportCsv}) {
     const auto whole = write(recording, scratch / "x.out", {});
     ASSERT_TRUE(whole) << sentence(whole.error());
     for (const std::string& file : whole->files) fs::remove(file);
@@ -257,7 +257,7 @@ TEST(Export, LeavesNothingWhereThereIsNoRoomAndWorksAgainOnceThereIs) {
 TEST(ExportCsv, TheTableOfEventsExplainsEachKind) {
   const ScratchFolder scratch;
   Recording recording = recorded(scratch / "r.palpate", {at(0), at(1'000'000)});
-  ASSERT_TRUE(exportCsv(recording, scratch / "x", {}));
+  ASSERT_TRUE(exportMotionBids(recording, scratch / "x", {}));
   std::ifstream explained{scratch / "x_events.json"};
   const auto levels =
       nlohmann::json::parse(explained).at("trial_type").at("Levels").get<nlohmann::json>();

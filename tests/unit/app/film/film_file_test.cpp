@@ -71,7 +71,11 @@ TEST_F(Film, WritesNoFileThatNobodyNamed) {
   // without ffmpeg it would be f.ogv, which is there
   FilmOptions bare = options();
   bare.ffmpeg = "";
-  const auto refused = app::makeFilm(recording, none, mine, bare);
+  // an MP4 was asked for: it is that, or a sentence
+  const auto no_mp4 = app::makeFilm(recording, none, scratch / "other.mp4", bare);
+  ASSERT_FALSE(no_mp4);
+  EXPECT_NE(sentence(no_mp4.error()).find("install the package ffmpeg"), std::string::npos);
+  const auto refused = app::makeFilm(recording, none, scratch / "f", bare);
   ASSERT_FALSE(refused);
   EXPECT_NE(sentence(refused.error()).find("f.ogv\", which is there already"), std::string::npos);
   EXPECT_EQ(std::filesystem::file_size(mine), 4U);
