@@ -10,6 +10,8 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -33,15 +35,23 @@ class SurfaceQuestion : public window::Editing {
       auto* agree = dialog->findChild<QPushButton*>("surfaceAgree");
       ASSERT_TRUE(window::waitFor([&] { return agree->isEnabled(); }));
       said_ = dialog->findChild<QLabel*>("surfaceSize")->text();
-      QTimer::singleShot(0, qApp, [file] {
-        auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(files, nullptr);
-        EXPECT_TRUE(files->testOption(QFileDialog::DontUseNativeDialog));
-        files->selectFile(file);
-        QMetaObject::invokeMethod(files, "accept");
-      });
       agree->click();
     });
+    // what is asked afterwards
+    QTimer answers;
+    QObject::connect(&answers, &QTimer::timeout, qApp, [this, file] {
+      QWidget* open = QApplication::activeModalWidget();
+      if (auto* box = qobject_cast<QMessageBox*>(open)) {
+        asked_ = box->text();
+        for (QAbstractButton* button : box->buttons())
+          if (box->buttonRole(button) == QMessageBox::AcceptRole) return button->click();
+      } else if (auto* files = qobject_cast<QFileDialog*>(open)) {
+        EXPECT_TRUE(files->testOption(QFileDialog::DontUseNativeDialog));
+        files->findChild<QLineEdit*>("fileNameEdit")->setText(file);
+        QMetaObject::invokeMethod(files, "accept");
+      }
+    });
+    answers.start(50);
     child<QAction>("exportSurface").trigger();
   }
 
@@ -61,7 +71,7 @@ class SurfaceQuestion : public window::Editing {
   }
 
   QTemporaryDir out_;
-  QString said_;
+  QString said_, asked_;
 };
 
 TEST_F(SurfaceQuestion, WritesWhatWasAskedForAndSaysItsSizeBefore) {
@@ -73,6 +83,7 @@ TEST_F(SurfaceQuestion, WritesWhatWasAskedForAndSaysItsSizeBefore) {
       },
       all);
   ASSERT_TRUE(isDone("all.stl"));
+  EXPECT_TRUE(asked_.contains("face")) << asked_.toStdString();
   const auto [triangles, header] = stl(all);
   EXPECT_TRUE(said_.contains("triangles")) << said_.toStdString();
   EXPECT_TRUE(said_.contains(QLocale().toString(triangles))) << said_.toStdString();
