@@ -40,6 +40,8 @@ struct Picture {
   vtkSmartPointer<vtkImageData> reduced;  ///< averaged over blocks, with a rim of background
   Eigen::Affine3d X_WL_mm = Eigen::Affine3d::Identity();
   Histogram histogram;
+  /// What is neither air nor apart from the body, in W, mm; the volume where the unit tells no air.
+  Eigen::AlignedBox3d body_mm;
 
   bool mirrored() const { return X_WL_mm.linear().determinant() < 0.0; }
 };
@@ -78,6 +80,9 @@ vtkSmartPointer<vtkPolyData> lightMesh(vtkPolyData* mesh, std::int64_t most_tria
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const Eigen::Affine3d& X);
 /// The pose as a matrix, with its translation converted from metres to millimetres.
 vtkSmartPointer<vtkMatrix4x4> matrixOf(const haptics::Pose& X);
+
+/// The least intensity of what counts as the body, and not as air or background.
+double bodyFrom(const haptics::Volume& volume);
 
 /// The box of W that the grid's voxel centres fill, mm.
 Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid);

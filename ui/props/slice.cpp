@@ -192,6 +192,8 @@ void Slice::cut(const PlaneAxes& axes, const Eigen::Vector3d& centre_W_mm, QSize
           values_[i] = layer_[i];
         else if (look.slab == SlabKind::Maximum)
           values_[i] = std::max(values_[i], layer_[i]);
+        else if (look.slab == SlabKind::Minimum)
+          values_[i] = std::min(values_[i], layer_[i]);
         else
           values_[i] += layer_[i];
       }
@@ -208,12 +210,36 @@ QImage Slice::picture(const GreyWindow& grey) const {
   const auto scale = static_cast<float>(255.0 / width);
   const auto black = static_cast<float>(grey.level - 0.5 * width);
   const float* in = values_.data();
+  const unsigned short* inside = inside_.data();
   for (int y = 0; y < size_.height(); ++y) {
     uchar* out = image.scanLine(y);
-    for (int x = 0; x < size_.width(); ++x)
-      out[x] = static_cast<uchar>(std::clamp((*in++ - black) * scale, 0.0F, 255.0F));
+    for (int x = 0; x < size_.width(); ++x, ++in)
+      out[x] = *inside++ == 0
+                   ? 0  // black in every window
+                   : static_cast<uchar>(std::clamp((*in - black) * scale, 0.0F, 255.0F));
   }
   return image;
+}
+
+std::vector<int> Slice::bodyBefore(int cell, QSize cells) const {
+  const int w = cells.width() + 1;
+  std::vector<int> sums(static_cast<std::size_t>(w) * static_cast<std::size_t>(cells.height() + 1));
+  const double least = bodyFrom(*volume_);
+  for (int y = 0; y < size_.height() && y / cell < cells.height(); ++y)
+    for (int x = 0; x < size_.width() && x / cell < cells.width(); ++x) {
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width()) +
+          static_cast<std::size_t>(x);
+      if (inside_[i] != 0 && values_[i] >= least)
+        sums[static_cast<std::size_t>((y / cell + 1) * w + x / cell + 1)] = 1;
+    }
+  for (int y = 1; y <= cells.height(); ++y)
+    for (int x = 1; x < w; ++x) {
+      const auto i = static_cast<std::size_t>(y * w + x);
+      const auto up = static_cast<std::size_t>(w);
+      sums[i] += sums[i - 1] + sums[i - up] - sums[i - up - 1];
+    }
+  return sums;
 }
 
 std::optional<double> Slice::valueAt(QPoint pixel) const {

@@ -60,6 +60,9 @@ class Slice {
   QImage picture(const GreyWindow& grey) const;
   /// The intensity that a pixel of the cut shows; none outside the volume.
   std::optional<double> valueAt(QPoint pixel) const;
+  /// Of squares of so many pixels, how many above and to the left of each corner show some of the
+  /// body: rows of cells.width() + 1.
+  std::vector<int> bodyBefore(int cell, QSize cells) const;
 
  private:
   struct Span {

@@ -28,7 +28,7 @@ struct LayoutLook {
 };
 
 enum class Interpolation { Linear, Nearest };
-enum class SlabKind { None, Maximum, Mean };
+enum class SlabKind { None, Maximum, Mean, Minimum };
 
 /// How voxels become the picture of a slice.
 struct SliceLook {
