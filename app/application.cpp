@@ -26,6 +26,7 @@
 #include "app/window/touch/isosurface_controller.h"
 #include "app/window/touch/measurement_controller.h"
 #include "app/window/touch/tool_controller.h"
+#include "app/window/views/grey_keeper.h"
 #include "app/window/views/journal_controller.h"
 #include "app/window/views/marks_controller.h"
 #include "app/window/views/picture_controller.h"
@@ -63,6 +64,7 @@ class Application::Parts : public QObject {
   HandController hand;
   EditController edit{window, shared};
   ToolController tool{hand.panel(), window.panels(), shared};
+  GreyKeeper grey{window.views().slices(), shared};
   PictureController picture{window.views(), window.touch(), shared};
   DeviceController device;
   MeasurementController measurement{window.panels(), shared};
@@ -223,6 +225,7 @@ void Application::Parts::showScene(bool new_volume) {
   emit application_.adopted();
   if (arguments_.notice) starting.offerTour();
   marks.showScene();
+  if (new_volume) grey.showScene();
   journal.showScene();
   view_file.showScene(new_volume);  // its marks come after those of the scan before are gone
   log.noteScene(new_volume);

@@ -80,7 +80,17 @@ enum class Action {
   TenSlicesBack,
   FirstSlice,
   LastSlice,
+  FitBody,
   Grey,  ///< brightness and contrast
+  TypeGrey,
+  // the usual grey windows, in the order of hounsfieldPresets()
+  GreySoftTissue,
+  GreyBone,
+  GreyLung,
+  GreyBrain,
+  GreyMediastinum,
+  GreyTemporalBone,
+  GreyAtFirst,
   MoveCross,
   SliceMenu,
   // measures, marks and edits

@@ -54,6 +54,10 @@ void drawMarkHandle(QPainter& painter, QPointF at, const QColor& ink, bool hollo
   painter.drawEllipse(at, 1.2, 1.2);
 }
 
+QPointF nearestOf(const QRectF& box, QPointF p) {
+  return {std::clamp(p.x(), box.left(), box.right()), std::clamp(p.y(), box.top(), box.bottom())};
+}
+
 /// The share of a line's length that lies in a box.
 double shareInside(const QPolygonF& line, const QRectF& box) {
   constexpr int kSteps = 24;
@@ -64,48 +68,39 @@ double shareInside(const QPolygonF& line, const QRectF& box) {
   return all == 0 ? 0.0 : double(inside) / all;
 }
 
-/// Where a label of this size goes: beside its anchor, on none of its own points, within the
-/// view, and clear of other labels and of its own line as far as there is room.
-QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& points, const QPolygonF& line,
-                  const QRectF& view, const std::vector<QRectF>& taken) {
+/// Where a label of this size goes: near its anchor, within the view, on no handle, clear of other
+/// labels and of the body as far as there is room.
+QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& line, const QPolygonF& handles,
+                  const ViewGeometry& view, const QRectF& seen, const std::vector<QRectF>& taken) {
+  constexpr double kStep = 8.0;  // px
+  constexpr std::size_t kMostPlaced = 30;
   const double w = size.width(), h = size.height();
-  QRectF all(anchor, QSizeF{});
-  for (const QPointF& p : points) all = all.united(QRectF(p, QSizeF{0.01, 0.01}));
   std::vector<QPointF> corners{anchor + QPointF{kLabelGap, -kLabelGap - h},
                                anchor + QPointF{kLabelGap, kLabelGap},
                                anchor + QPointF{-kLabelGap - w, -kLabelGap - h},
-                               anchor + QPointF{-kLabelGap - w, kLabelGap},
-                               anchor + QPointF{kLabelGap, -0.5 * h},
-                               anchor + QPointF{-kLabelGap - w, -0.5 * h},
-                               {all.right() + kLabelGap, anchor.y() - 0.5 * h},
-                               {all.left() - kLabelGap - w, anchor.y() - 0.5 * h},
-                               {anchor.x() - 0.5 * w, all.bottom() + kLabelGap},
-                               {anchor.x() - 0.5 * w, all.top() - kLabelGap - h}};
-  // below and above what is in the way
-  for (const QRectF& other : taken)
-    for (const double y : {other.bottom() + 1.0, other.top() - h - 1.0})
-      corners.emplace_back(anchor.x() - 0.5 * w, y);
-  // and each of them moved into the view
-  const std::size_t beside = corners.size();
-  for (std::size_t n = 0; n < beside; ++n)
-    corners.emplace_back(
-        std::clamp(corners[n].x(), view.left(), std::max(view.left(), view.right() - w)),
-        std::clamp(corners[n].y(), view.top(), std::max(view.top(), view.bottom() - h)));
+                               anchor + QPointF{-kLabelGap - w, kLabelGap}};
+  const QRectF room = seen.adjusted(2.0, 2.0, -2.0 - w, -2.0 - h);
+  // of many, each stands where it falls
+  const double last = taken.size() < kMostPlaced ? room.bottom() : -INFINITY;
+  for (double y = room.top(); y <= last; y += kStep)
+    for (double x = room.left(); x <= room.right(); x += kStep) corners.emplace_back(x, y);
+  for (const double y : {room.top(), room.bottom()})
+    for (const double x : {room.left(), room.right()}) corners.emplace_back(x, y);
   QRectF best;
   double least = std::numeric_limits<double>::infinity();
   for (const QPointF& corner : corners) {
     const QRectF box(corner, size);
-    double cost = 0.0;
-    for (const QPointF& p : points)
-      if (box.adjusted(-kHandle, -kHandle, kHandle, kHandle).contains(p)) cost += 1000.0;
-    if (!view.contains(box)) cost += 100.0;
+    double cost = QLineF(nearestOf(box, anchor), anchor).length();
+    if (!seen.contains(box)) cost += 1e6;
+    for (const QPointF& p : handles)
+      if (box.adjusted(-kReach, -kReach, kReach, kReach).contains(p)) cost += 1e5;
     for (const QRectF& other : taken)
-      if (other.intersects(box)) cost += 10.0;
-    cost += shareInside(line, box);
-    if (cost < least) {
-      least = cost;
-      best = box;
-    }
+      if (other.adjusted(-2.0, -2.0, 2.0, 2.0).intersects(box)) cost += 1e4;
+    if (cost < least && view.showsBody(box)) cost += 3e3;
+    if (cost < least) cost += 1e3 * shareInside(line, box);
+    if (cost >= least) continue;
+    least = cost;
+    best = box;
   }
   return best;
 }
@@ -118,15 +113,14 @@ void drawLabel(QPainter& painter, const QRectF& box, const QString& text) {
   painter.drawText(box, Qt::AlignCenter | Qt::TextSingleLine, text);
 }
 
-QSizeF labelSize(const QPainter& painter, const QString& text) {
-  const QFontMetricsF metrics(painter.font(), painter.device());
+QSizeF labelSize(const QFont& font, const QString& text) {
+  const QFontMetricsF metrics(font);
   return {metrics.horizontalAdvance(text) + 10.0, metrics.height() + 4.0};
 }
 
 /// The part of a view in which something is seen.
-QRectF seenPart(const QPainter& painter, const ViewGeometry& view) {
-  const QRectF all(view.widget().rect());
-  return painter.hasClipping() ? all.intersected(painter.clipBoundingRect()) : all;
+QRectF seenPart(const ViewGeometry& view) {
+  return view.isSlice() ? view.room() : QRectF(view.widget().rect());
 }
 
 /// The corner of an angle: places of W between its legs.
@@ -301,83 +295,105 @@ QString Measures::labelOf(const Measure& measure) const {
   return text.isEmpty() ? value : tr("%1: %2").arg(text, value);
 }
 
-void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const Measure& measure,
-                            bool chosen, bool whole, std::vector<QRectF>& taken) const {
-  std::vector<Handle> handles;
-  QPolygonF line, points;
-  bool any = false, dashed = false;
+Measures::Drawn Measures::drawnOf(const ViewGeometry& view, const Measure& measure) const {
+  Drawn drawn;
   for (const Eigen::Vector3d& p : measure.places_mm) {
-    handles.push_back(handleOf(view, p));
-    const Handle& handle = handles.back();
-    any = any || handle.shown;
-    dashed = dashed || handle.hollow || !handle.shown;
-    line << handle.at;
-    if (handle.shown) points << handle.at;
+    const Handle handle = handleOf(view, p);
+    drawn.handles.push_back(handle);
+    drawn.dashed = drawn.dashed || handle.hollow || !handle.shown;
+    drawn.line << handle.at;
+    drawn.any = drawn.any || handle.shown;
   }
-  if (!any) return;
+  return drawn;
+}
+
+void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const Measure& measure,
+                            bool chosen, bool whole) const {
+  Drawn drawn = drawnOf(view, measure);
+  if (!drawn.any) return;
   const QColor ink = chosen ? kChosenMeasure : kMeasure;
-  if (!whole && next_mm_) line << view.projected(*next_mm_);
-  if (line.size() > 1) drawLine(painter, line, ink, chosen ? 2.2 : 1.6, dashed);
+  if (!whole && next_mm_) drawn.line << view.projected(*next_mm_);
+  if (drawn.line.size() > 1) drawLine(painter, drawn.line, ink, chosen ? 2.2 : 1.6, drawn.dashed);
   if (whole && measure.kind == MeasureKind::Angle) {
     QPolygonF arc;
     for (const Eigen::Vector3d& p : arcOf(measure)) arc << view.projected(p);
-    if (!arc.isEmpty()) drawLine(painter, arc, ink, 1.2, dashed);
+    if (!arc.isEmpty()) drawLine(painter, arc, ink, 1.2, drawn.dashed);
   }
-  for (const Handle& handle : handles)
+  for (const Handle& handle : drawn.handles)
     if (handle.shown) drawMarkHandle(painter, handle.at, ink, handle.hollow);
-  if (!whole) return;
-  const QFontMetricsF metrics(painter.font(), painter.device());
-  const QString text = metrics.elidedText(labelOf(measure), Qt::ElideRight, kWidestLabel);
-  QPointF anchor = line.first();
-  if (measure.kind == MeasureKind::Distance) anchor = 0.5 * (line[0] + line[1]);
-  if (measure.kind == MeasureKind::Angle) anchor = line[1];
-  const QRectF box =
-      labelPlace(labelSize(painter, text), anchor, points, line, seenPart(painter, view), taken);
-  drawLabel(painter, box, text);
-  taken.push_back(box);
 }
 
-void Measures::paintTravel(QPainter& painter, const ViewGeometry& view,
-                           std::vector<QRectF>& taken) const {
-  const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
-  drawLine(painter, {from, to}, kMeasure, 1.4, true);
-  drawMarkHandle(painter, from, kMeasure, true);
-  const QString length =
-      numberWords(travel_->length_mm / mmPerLengthUnit(), lengthDecimals(1)) + ' ';
-  const QString text = tr("Travelled %1").arg(length + lengthUnitName());
-  const QRectF box = labelPlace(labelSize(painter, text), from, {from, to}, {from, to},
-                                seenPart(painter, view), taken);
-  drawLabel(painter, box, text);
-  taken.push_back(box);
+std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
+  const QFont font = view.widget().font();
+  const QFontMetricsF metrics(font);
+  const QRectF seen = seenPart(view);
+  std::vector<Drawn> drawn;
+  QPolygonF handles;
+  for (const Measure& measure : all_) {
+    drawn.push_back(drawnOf(view, measure));
+    for (const Handle& handle : drawn.back().handles)
+      if (handle.shown) handles << handle.at;
+  }
+  if (travel_) handles << view.projected(travel_->from_mm);
+  std::vector<MeasureLabel> labels;
+  std::vector<QRectF> taken;
+  const auto add = [&](const QString& text, QPointF anchor, const QPolygonF& line) {
+    const QSizeF size = labelSize(font, text);
+    const QRectF box = labelPlace(size, anchor, line, handles, view, seen, taken);
+    taken.push_back(box);
+    labels.push_back({text, box, anchor});
+  };
+  // the chosen one last, above the others
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < all_.size(); ++i)
+    if (static_cast<int>(i) != selected_) order.push_back(i);
+  if (selected_ >= 0 && selected_ < static_cast<int>(all_.size()))
+    order.push_back(static_cast<std::size_t>(selected_));
+  for (const std::size_t i : order) {
+    if (!drawn[i].any) continue;
+    const QPolygonF& line = drawn[i].line;
+    QPointF anchor = line.first();
+    if (all_[i].kind == MeasureKind::Distance) anchor = 0.5 * (line[0] + line[1]);
+    if (all_[i].kind == MeasureKind::Angle) anchor = line[1];
+    add(metrics.elidedText(labelOf(all_[i]), Qt::ElideRight, std::min(kWidestLabel, seen.width())),
+        anchor, line);
+  }
+  if (travel_) {
+    const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
+    const QString length =
+        numberWords(travel_->length_mm / mmPerLengthUnit(), lengthDecimals(1)) + ' ';
+    add(tr("Travelled %1").arg(length + lengthUnitName()), from, {from, to});
+  }
+  return labels;
 }
 
 void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
   if (all_.empty() && begun_.places_mm.empty() && !travel_) return;
   painter.setRenderHint(QPainter::Antialiasing);
-  QFont font = view.widget().font();
-  painter.setFont(font);
-  std::vector<QRectF> taken;
-  // said wherever a measure can be, so in every picture of one
-  const QString warning = tr("Not for treatment");
-  const QSizeF size = labelSize(painter, warning);
-  const QRectF seen = seenPart(painter, view);
-  // where neither the words of a slice, however narrow, nor the letters of the 3-D view stand
-  const QPointF place = view.isSlice()
-                            ? QPointF{seen.right() - size.width() - 4.0, seen.top() + 32.0}
-                            : QPointF{seen.left() + 6.0, seen.bottom() - size.height() - 6.0};
-  const QRectF corner(place, size);
-  taken.push_back(corner);
-  drawLabel(painter, corner, warning);  // below the handles, which are dragged there too
-  if (view.isSlice()) {                 // name and place of the slice, and its ruler
-    taken.push_back({seen.topLeft(), QSizeF{150.0, 38.0}});
-    taken.push_back({seen.right() - 60.0, seen.center().y() - 40.0, 60.0, 80.0});
+  painter.setFont(view.widget().font());
+  const std::vector<MeasureLabel> labels = labelsIn(view);
+  for (const MeasureLabel& label : labels) {
+    const QPointF end = nearestOf(label.box, label.anchor);
+    painter.setPen(QPen(kMeasureRim, 3.0));
+    painter.drawLine(label.anchor, end);
+    painter.setPen(QPen(kMeasure, 1.0));
+    painter.drawLine(label.anchor, end);
   }
-  for (std::size_t i = 0; i < all_.size(); ++i)
-    if (static_cast<int>(i) != selected_) paintMeasure(painter, view, all_[i], false, true, taken);
-  if (selected_ >= 0 && selected_ < static_cast<int>(all_.size()))
-    paintMeasure(painter, view, all_[static_cast<std::size_t>(selected_)], true, true, taken);
-  if (!begun_.places_mm.empty()) paintMeasure(painter, view, begun_, true, false, taken);
-  if (travel_) paintTravel(painter, view, taken);
+  const auto chosen = [&](std::size_t i) { return static_cast<int>(i) == selected_; };
+  for (const bool last : {false, true})
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (chosen(i) == last) paintMeasure(painter, view, all_[i], last, true);
+  if (!begun_.places_mm.empty()) paintMeasure(painter, view, begun_, true, false);
+  if (travel_) {
+    const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
+    drawLine(painter, {from, to}, kMeasure, 1.4, true);
+    drawMarkHandle(painter, from, kMeasure, true);
+  }
+  for (const MeasureLabel& label : labels) drawLabel(painter, label.box, label.text);
+}
+
+QString Measures::note() const {
+  return all_.empty() && !travel_ ? QString() : tr("Not for treatment");
 }
 
 std::optional<std::pair<int, int>> Measures::handleAt(const ViewGeometry& view, QPointF at) const {

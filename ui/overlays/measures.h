@@ -22,6 +22,13 @@ struct Travel {
   double length_mm = 0.0;  ///< along the way
 };
 
+/// A text beside a measure, in widget coordinates.
+struct MeasureLabel {
+  QString text;
+  QRectF box;
+  QPointF anchor;  ///< what it belongs to
+};
+
 /// The measures, marks and notes of a scan: it owns them, draws them over the views, and lets the
 /// user place them and drag their handles. In a slice a handle moves in the plane that is parallel
 /// to the picture, in 3-D along the touched surface. GUI thread.
@@ -62,6 +69,8 @@ class Measures : public Overlay {
   void setTravel(const std::optional<Travel>& travel);
 
   void paint(QPainter& painter, const ViewGeometry& view) const override;
+  /// What is written beside the measures of a view. Each has a line to its measure.
+  std::vector<MeasureLabel> labelsIn(const ViewGeometry& view) const;
   bool press(const ViewGeometry& view, const QMouseEvent& event) override;
   bool drag(const ViewGeometry& view, const QMouseEvent& event) override;
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;
@@ -70,6 +79,7 @@ class Measures : public Overlay {
   Action keyForClick() const override { return Action::SetPlace; }
   Qt::CursorShape cursor() const override;
   QString hint() const override;
+  QString note() const override;
 
  signals:
   /// A measure was added, removed, renamed or moved, or reads otherwise.
@@ -87,6 +97,12 @@ class Measures : public Overlay {
     bool shown = false;   ///< in reach of the slice, and in front of the eye
     bool hollow = false;  ///< beside the slice, or behind the surface
   };
+  /// A measure as it is drawn in a view.
+  struct Drawn {
+    std::vector<Handle> handles = {};
+    QPolygonF line = {};
+    bool any = false, dashed = false;
+  };
   struct Removed {
     std::vector<std::pair<int, Measure>> measures;  ///< with their places in the list
   };
@@ -96,9 +112,9 @@ class Measures : public Overlay {
   /// The handle under the mouse: index of the measure and of its place.
   std::optional<std::pair<int, int>> handleAt(const ViewGeometry& view, QPointF at) const;
   Eigen::Vector3d inScan(const Eigen::Vector3d& p_mm) const;
+  Drawn drawnOf(const ViewGeometry& view, const Measure& measure) const;
   void paintMeasure(QPainter& painter, const ViewGeometry& view, const Measure& measure,
-                    bool chosen, bool whole, std::vector<QRectF>& taken) const;
-  void paintTravel(QPainter& painter, const ViewGeometry& view, std::vector<QRectF>& taken) const;
+                    bool chosen, bool whole) const;
   void finish();
   QString labelOf(const Measure& measure) const;
   QString freeName(MeasureKind kind) const;

@@ -39,6 +39,8 @@ class ViewGeometry {
   virtual const QWidget& widget() const = 0;
   /// The part of the widget in which handles are seen whole; the default is all of it.
   virtual QRectF room() const;
+  /// Whether a box of the view shows some of the body, where nothing should be written.
+  virtual bool showsBody(const QRectF& box) const = 0;
 };
 
 /// Something that is drawn over the views and may be dragged there: handles of a crop box, an
@@ -62,6 +64,8 @@ class Overlay : public QObject {
   virtual Action keyForClick() const { return Action::SetPlaceOfEdit; }
   /// What the mouse and Enter do over the views while this overlay takes them; empty: nothing.
   virtual QString hint() const;
+  /// What a picture of one view says below it because of this overlay; empty: nothing.
+  virtual QString note() const;
   /// The cursor while the mouse is over something of this overlay that can be dragged.
   virtual Qt::CursorShape cursor() const;
 

@@ -92,4 +92,10 @@ QString OverlayStack::hint() const {
   return {};
 }
 
+QString OverlayStack::note() const {
+  for (const QPointer<Overlay>& overlay : overlays_)
+    if (const QString note = overlay ? overlay->note() : QString(); !note.isEmpty()) return note;
+  return {};
+}
+
 }  // namespace ui

@@ -28,6 +28,7 @@ class OverlayStack {
   bool key(const ViewGeometry& geometry, const QKeyEvent& event, QPointF at);
   /// That of the uppermost overlay that has one; else empty.
   QString hint() const;
+  QString note() const;
 
  private:
   QWidget& view_;

@@ -64,14 +64,12 @@ MarksPanel::MarksPanel(QWidget* parent)
   buttons->addWidget(restore_, 1, 1);
   column->addLayout(buttons);
   column->addWidget(buildTravel());
-  auto* warning =
-      new QLabel(tr("<b>Not for treatment.</b> ± is the accuracy that the voxels allow."));
-  warning->setObjectName("marksWarning");
-  warning->setToolTip(
+  auto* accuracy = new QLabel(tr("± is the accuracy that the voxels allow."));
+  accuracy->setToolTip(
       tr("Half a voxel diagonal for each place. Errors of the scanner and of the choice of the "
          "places are not in it."));
-  warning->setWordWrap(true);
-  column->addWidget(warning);
+  accuracy->setWordWrap(true);
+  column->addWidget(accuracy);
   setFocusProxy(list_);
   setReady(false);
   setCanRestore(false);

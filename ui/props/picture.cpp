@@ -25,9 +25,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace ui {
 namespace {
@@ -190,6 +192,58 @@ void unfoldNormals(vtkPolyData* mesh) {
       normals->SetTuple(static_cast<vtkIdType>(n), own[n].normalized().eval().data());
 }
 
+/// Of the voxels of the body those that hang together, as far as the reduced image shows it,
+/// without table and holder. The volume where nothing tells the body from what is around it.
+Eigen::AlignedBox3d bodyOf_mm(const haptics::Volume& volume, vtkImageData& reduced) {
+  const Eigen::AlignedBox3d all = boxOf_mm(volume.grid, volume.bounds());
+  if (volume.unit != "HU") return all;
+  const int* dims = reduced.GetDimensions();
+  const std::array<std::int64_t, 3> step{1, dims[0], std::int64_t{dims[0]} * dims[1]};
+  const auto* values = static_cast<const float*>(reduced.GetScalarPointer());
+  const auto count = static_cast<std::size_t>(reduced.GetNumberOfPoints());
+  std::vector<std::uint8_t> waits(count);
+  const auto least = static_cast<float>(bodyFrom(volume));
+  for (std::size_t i = 0; i < count; ++i) waits[i] = values[i] >= least;
+  std::vector<std::int64_t> heap;
+  std::size_t most = 0;
+  Eigen::AlignedBox3i body;
+  for (std::size_t seed = 0; seed < count; ++seed) {
+    if (waits[seed] == 0) continue;
+    waits[seed] = 0;
+    heap.assign(1, static_cast<std::int64_t>(seed));
+    Eigen::AlignedBox3i box;
+    // the rim of the image is background, so no neighbour lies outside it
+    for (std::size_t n = 0; n < heap.size(); ++n) {
+      const std::int64_t i = heap[n];
+      box.extend(Eigen::Vector3i{static_cast<int>(i % dims[0]),
+                                 static_cast<int>(i / step[1] % dims[1]),
+                                 static_cast<int>(i / step[2])});
+      for (const std::int64_t by : step)
+        for (const std::int64_t next : {i - by, i + by}) {
+          std::uint8_t& there = waits[static_cast<std::size_t>(next)];
+          if (there == 0) continue;
+          there = 0;
+          heap.push_back(next);
+        }
+    }
+    if (heap.size() <= most) continue;
+    most = heap.size();
+    body = box;
+  }
+  if (most == 0) return all;
+  const Eigen::Vector3d origin{reduced.GetOrigin()}, spacing{reduced.GetSpacing()};
+  const haptics::Grid& grid = volume.grid;
+  Eigen::AlignedBox3d found;
+  for (int corner = 0; corner < 8; ++corner) {
+    Eigen::Vector3d p;
+    for (int a = 0; a < 3; ++a)
+      p[a] = origin[a] +
+             spacing[a] * ((corner >> a & 1) != 0 ? body.max()[a] + 0.5 : body.min()[a] - 0.5);
+    found.extend(Eigen::Vector3d{grid.direction * p + grid.origin * kMmPerM});
+  }
+  return found.intersection(all);
+}
+
 Picture pictureWith(std::shared_ptr<const haptics::Volume> volume,
                     vtkSmartPointer<vtkImageData> reduced) {
   const haptics::Grid& grid = volume->grid;
@@ -199,6 +253,7 @@ Picture pictureWith(std::shared_ptr<const haptics::Volume> volume,
   picture.histogram = histogramOf(*volume, kHistogramBins);
   picture.X_WL_mm.linear() = grid.direction;
   picture.X_WL_mm.translation() = grid.origin * kMmPerM;
+  picture.body_mm = bodyOf_mm(*volume, *picture.reduced);
   picture.volume = std::move(volume);
   return picture;
 }
@@ -369,6 +424,13 @@ vtkSmartPointer<vtkMatrix4x4> matrixOf(const haptics::Pose& X) {
   Eigen::Affine3d X_mm{X};
   X_mm.translation() *= kMmPerM;
   return matrixOf(X_mm);
+}
+
+double bodyFrom(const haptics::Volume& volume) {
+  constexpr double kBody_HU = -400.0;    // between air and fat
+  constexpr double kBodyOfRange = 0.15;  // above the least voxel, where the unit is another
+  if (volume.unit == "HU") return kBody_HU;
+  return volume.least + kBodyOfRange * (volume.greatest - volume.least);
 }
 
 Eigen::AlignedBox3d boxOf_mm(const haptics::Grid& grid) { return boxOf_mm(grid, {{}, grid.dims}); }

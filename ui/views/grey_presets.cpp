@@ -12,11 +12,12 @@ std::vector<GreyPreset> hounsfieldPresets() {
   const auto words = [](const char* name) {
     return QCoreApplication::translate("ui::GreyPreset", name);
   };
-  return {{words("Bone"), {.level = 500.0, .width = 2000.0}},
-          {words("Temporal bone"), {.level = 700.0, .width = 4000.0}},
-          {words("Soft tissue"), {.level = 40.0, .width = 400.0}},
+  return {{words("Soft tissue"), {.level = 40.0, .width = 400.0}},
+          {words("Bone"), {.level = 500.0, .width = 2000.0}},
           {words("Lung"), {.level = -600.0, .width = 1500.0}},
-          {words("Brain"), {.level = 40.0, .width = 80.0}}};
+          {words("Brain"), {.level = 40.0, .width = 80.0}},
+          {words("Mediastinum"), {.level = 50.0, .width = 350.0}},
+          {words("Temporal bone"), {.level = 700.0, .width = 4000.0}}};
 }
 
 GreyWindow fullRange(const haptics::Volume& volume) {

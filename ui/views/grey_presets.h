@@ -15,7 +15,7 @@ struct GreyPreset {
   GreyWindow grey;
 };
 
-/// The usual windows for CT, in HU: bone, temporal bone, soft tissue, lung, brain.
+/// The usual windows for CT, in HU: soft tissue, bone, lung, brain, mediastinum, temporal bone.
 std::vector<GreyPreset> hounsfieldPresets();
 
 /// From the least voxel to the greatest.

@@ -2,6 +2,8 @@
 #include "ui/views/slice_readout.h"
 
 #include <QCoreApplication>
+#include <QFontMetrics>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/controls/lengths.h"
@@ -12,21 +14,73 @@ namespace {
 
 constexpr int kTextPixels = 11, kLetterPixels = 17, kLettersPixels = 12;
 
+int letterPixels(const QString& letters) {
+  return letters.size() > 1 ? kLettersPixels : kLetterPixels;
+}
+
 QString sliceWords(const char* text) { return QCoreApplication::translate("ui::SliceView", text); }
 
 QString placeWords(double mm) {
   return readoutLocale().toString(mm / mmPerLengthUnit(), 'f', lengthDecimals(1));
 }
 
-/// Text with a dark rim, so that it can be read on any anatomy.
-void drawOver(QPainter& painter, QRect box, int flags, const QString& text, const QColor& colour) {
-  painter.setPen(style::kRim);
-  for (const int x : {-1, 0, 1})
-    for (const int y : {-1, 0, 1})
-      if (x != 0 || y != 0) painter.drawText(box.translated(x, y), flags, text);
-  painter.setPen(colour);
-  painter.drawText(box, flags, text);
-}
+constexpr int kRow = 14, kTop = 26, kGap = 8, kEdge = 5;  // px
+constexpr int kSide = 20, kObliqueSide = 28;              // px, for one letter, and for three
+constexpr int kLow = 180;  // px: a widget that is lower has one row at its foot
+constexpr double kRulerShare = 0.3, kLongestRuler = 100.0, kShortestRuler = 12.0;
+
+/// One row of the margin. Texts come from both ends, beside what stands in the middle.
+class Row {
+ public:
+  /// `covered`: px at its right end that are not free.
+  Row(ReadoutLayout& layout, const QFont& font, QRect room, int covered = 0)
+      : layout_(layout),
+        font_(font),
+        left_(room.left()),
+        right_(room.right() + 1 - covered),
+        room_(room) {}
+
+  enum class End { Left, Middle, Right };
+
+  /// Whether there was room.
+  bool place(const QString& text, End end, const QColor& colour, int pixels = kTextPixels,
+             bool bold = false) {
+    if (text.isEmpty()) return true;
+    QFont font = font_;
+    font.setPixelSize(pixels);
+    font.setBold(bold);
+    const int width = QFontMetrics(font).horizontalAdvance(text) + 2;
+    const auto box = take(width, end);
+    if (!box) return false;
+    layout_.texts.push_back({*box, text, colour, pixels, bold});
+    return true;
+  }
+
+  std::optional<QRect> take(int width, End end) {
+    int x = left_;
+    if (end == End::Right) x = right_ - width;
+    if (end == End::Middle)
+      x = std::min(room_.left() + (room_.width() - width) / 2, right_ - width);
+    const QRect box(x, room_.top(), width, room_.height());
+    if (x < left_ || x + width > right_) return {};
+    if (middle_.isValid() && box.adjusted(-kGap, 0, kGap, 0).intersects(middle_)) return {};
+    if (end == End::Left) left_ = x + width + kGap;
+    if (end == End::Middle) middle_ = box;
+    if (end == End::Right) right_ = x - kGap;
+    return box;
+  }
+
+  /// How wide a text at the left may be.
+  int roomAtLeft() const {
+    return (middle_.isValid() ? middle_.left() - kGap : right_) - left_ - 2;
+  }
+
+ private:
+  ReadoutLayout& layout_;
+  QFont font_;
+  int left_, right_;
+  QRect room_, middle_;
+};
 
 }  // namespace
 
@@ -64,65 +118,95 @@ QString rulerWords(double mm) {
   return readoutLocale().toString(shown, 'f', decimals) + ' ' + lengthUnitName();
 }
 
-void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture) {
-  QFont font = painter.font();
-  font.setPixelSize(kTextPixels);
-  painter.setFont(font);
-  const double mm = rulerLength_mm(0.3 * picture.height() * mm_per_pixel);
-  const int length = qRound(mm / mm_per_pixel);
-  if (length < 12) return;
-  const int x = picture.right() - 8, middle = picture.center().y() + 12;
-  const int top = middle - length / 2, bottom = top + length;
-  for (const bool rim : {true, false}) {
-    painter.setPen(QPen(rim ? style::kRim : style::kReadout, rim ? 3.0 : 1.0));
-    painter.drawLine(x, top, x, bottom);
-    painter.drawLine(x - 4, top, x, top);
-    painter.drawLine(x - 4, bottom, x, bottom);
-  }
-  drawOver(painter, QRect(x - 90, middle - 10, 82, 20), Qt::AlignRight | Qt::AlignVCenter,
-           rulerWords(mm), style::kReadout);
+QString intensityWords(double value, const haptics::Volume& volume) {
+  const bool whole = volume.type != haptics::ScalarType::Float32 || std::abs(value) >= 1000.0;
+  const QString number = whole ? readoutLocale().toString(std::round(value) + 0.0, 'f', 0)
+                               : readoutLocale().toString(value, 'g', 4);
+  return volume.unit.empty() ? number : number + ' ' + QString::fromStdString(volume.unit);
 }
 
-void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, QRect picture) {
-  QFont font = painter.font();
-  font.setPixelSize(kTextPixels);
+QRect pictureIn(QRect widget, bool oblique) {
+  const int side = oblique ? kObliqueSide : kSide;
+  const int foot = (widget.height() < kLow ? 1 : 2) * kRow + 4;
+  return widget.adjusted(side, kTop, -side, -foot);
+}
+
+ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widget, QRect picture,
+                     int buttons, double mm_per_pixel) {
+  using enum Row::End;
+  ReadoutLayout layout;
+  const int left = widget.left() + kEdge, width = widget.width() - 2 * kEdge;
+  const int bottom = picture.bottom() + 1;
+  Row top(layout, font, {left, widget.top() + 4, width, kTop - 8}, buttons);
+  Row foot(layout, font, {left, bottom + 2, width, kRow});
+  const bool low = widget.bottom() + 1 - bottom < 2 * kRow;
+  Row last(layout, font, {left, bottom + 2 + kRow, low ? 0 : width, kRow});
+  const QColor ink = style::kReadout;
+
+  if (readout.sides_known) {
+    const auto beside = [&](QRect room, const QString& text) {
+      if (text.isEmpty()) return;
+      const int pixels = letterPixels(text);
+      QFont bold = font;
+      bold.setPixelSize(pixels);
+      bold.setBold(true);
+      QRect box(0, 0, QFontMetrics(bold).horizontalAdvance(text), pixels + 2);
+      box.moveCenter(room.center());
+      layout.texts.push_back({box, text, style::kLetter, pixels, true});
+    };
+    const int right = picture.right() + 1;
+    beside({widget.left(), picture.top(), picture.left() - widget.left(), picture.height()},
+           readout.letters[0]);
+    beside({right, picture.top(), widget.right() + 1 - right, picture.height()},
+           readout.letters[1]);
+    top.place(readout.letters[2], Middle, style::kLetter, letterPixels(readout.letters[2]), true);
+    foot.place(readout.letters[3], Middle, style::kLetter, letterPixels(readout.letters[3]), true);
+  } else if (!top.place(sliceWords("left/right unknown"), Middle, style::kViewAttention)) {
+    foot.place(sliceWords("left/right unknown"), Middle, style::kViewAttention);
+  }
   QFont bold = font;
+  bold.setPixelSize(kTextPixels);
   bold.setBold(true);
-  painter.setFont(font);
-  const int line = painter.fontMetrics().height();
-  const QRect inner = picture.adjusted(5, 3, -5, -3);
+  top.place(QFontMetrics(bold).elidedText(readout.name, Qt::ElideRight, top.roomAtLeft()), Left,
+            readout.colour, kTextPixels, true);
+  const QString number = readout.place.section(QStringLiteral("   "), 0, 0);
+  const QString at = readout.place.section(QStringLiteral("   "), 1);
+  if (top.place(number, Left, ink)) top.place(at, Right, ink);
 
-  painter.setFont(bold);
-  drawOver(painter, inner, Qt::AlignLeft | Qt::AlignTop, readout.name, readout.colour);
-  painter.setFont(font);
-  drawOver(painter, inner.adjusted(0, line, 0, 0), Qt::AlignLeft | Qt::AlignTop, readout.place,
-           style::kReadout);
-  drawOver(painter, inner.adjusted(0, 2 * line, 0, 0), Qt::AlignLeft | Qt::AlignTop, readout.slab,
-           style::kReadout);
-  drawOver(painter, inner, Qt::AlignLeft | Qt::AlignBottom, readout.grey, style::kReadout);
-  drawOver(painter, inner, Qt::AlignRight | Qt::AlignBottom, readout.value, style::kReadout);
-  drawOver(painter, inner.adjusted(0, 0, 0, -line), Qt::AlignRight | Qt::AlignBottom,
-           readout.position, style::kReadout);
+  foot.place(readout.grey, Left, ink);
+  foot.place(readout.value, Right, ink);
+  const double mm =
+      rulerLength_mm(std::min(kRulerShare * picture.width(), kLongestRuler) * mm_per_pixel);
+  const int length = qRound(mm / mm_per_pixel);
+  if (length >= kShortestRuler)
+    if (const auto box = last.take(length + 1, Left)) {
+      layout.ruler =
+          QLineF(box->left(), box->center().y(), box->left() + length, box->center().y());
+      last.place(rulerWords(mm), Left, ink);
+    }
+  const bool said = readout.slab.isEmpty() || last.place(readout.slab, Right, ink) ||
+                    foot.place(readout.slab, Left, ink) || top.place(readout.slab, Right, ink);
+  if (!said) foot.place(readout.slab, Right, ink);
+  if (!last.place(readout.note, Right, style::kViewAttention))
+    foot.place(readout.note, Right, style::kViewAttention);
+  last.place(readout.position, Right, ink);
+  return layout;
+}
 
-  if (!readout.sides_known) {
-    painter.setPen(style::kViewAttention);
-    painter.drawText(QRect(widget.left(), widget.top(), widget.width(), picture.top()),
-                     Qt::AlignCenter, sliceWords("left/right unknown"));
-    return;
+void drawReadout(QPainter& painter, const ReadoutLayout& layout) {
+  QFont font = painter.font();
+  for (const ReadoutText& text : layout.texts) {
+    font.setPixelSize(text.pixels);
+    font.setBold(text.bold);
+    painter.setFont(font);
+    painter.setPen(text.colour);
+    painter.drawText(text.box, Qt::AlignCenter | Qt::TextDontClip, text.text);
   }
-  painter.setPen(style::kLetter);
-  const int right = picture.right() + 1, bottom = picture.bottom() + 1;
-  const std::array<QRect, 4> margins{
-      QRect(0, picture.top(), picture.left(), picture.height()),
-      QRect(right, picture.top(), widget.width() - right, picture.height()),
-      QRect(picture.left(), 0, picture.width(), picture.top()),
-      QRect(picture.left(), bottom, picture.width(), widget.height() - bottom)};
-  for (std::size_t i = 0; i < margins.size(); ++i) {
-    // three letters are no wider than the margin
-    bold.setPixelSize(readout.letters[i].size() > 1 ? kLettersPixels : kLetterPixels);
-    painter.setFont(bold);
-    painter.drawText(margins[i], Qt::AlignCenter, readout.letters[i]);
-  }
+  if (!layout.ruler) return;
+  painter.setPen(QPen(style::kReadout, 1.0));
+  painter.drawLine(*layout.ruler);
+  for (const QPointF end : {layout.ruler->p1(), layout.ruler->p2()})
+    painter.drawLine(end - QPointF{0.0, 3.0}, end + QPointF{0.0, 3.0});
 }
 
 }  // namespace ui

@@ -2,39 +2,66 @@
 #pragma once
 
 #include <QColor>
+#include <QLineF>
 #include <QLocale>
 #include <QPainter>
 #include <QString>
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "haptics/core/geometry.h"
+#include "haptics/core/volume.h"
 
 namespace ui {
 
-/// What is written about a slice: in the picture's corners, and on the margin around it.
+/// What is written about a slice, on the margin around its picture.
 struct SliceReadout {
   QString name = {};  ///< of the plane, in its colour
   QColor colour = {};
-  QString place = {};                   ///< below the name: slice number, position
-  QString slab = {};                    ///< below the place; empty: one plane
-  QString grey = {};                    ///< lower left
-  QString value = {};                   ///< lower right
-  QString position = {};                ///< above the value
+  QString place = {};                   ///< slice number, position
+  QString slab = {};                    ///< empty: one plane
+  QString grey = {};                    ///< level and width
+  QString value = {};                   ///< under the pointer
+  QString position = {};                ///< under the pointer
   std::array<QString, 4> letters = {};  ///< left, right, upper and lower edge; empty: unknown
   bool sides_known = true;              ///< false: a line says that left and right are unknown
+  QString note = {};                    ///< in pictures that are saved alone
 };
 
-/// Draws it around and over the picture. Letters stand on the margin, never on the picture.
-void drawReadout(QPainter& painter, const SliceReadout& readout, QRect widget, QRect picture);
+/// One text of it, and where it stands in the widget.
+struct ReadoutText {
+  QRect box;
+  QString text;
+  QColor colour;
+  int pixels = 0;
+  bool bold = false;
+};
 
-/// Draws the ruler with its length at the right side of the picture.
-void drawRuler(QPainter& painter, double mm_per_pixel, QRect picture);
+/// Where everything stands. No two boxes meet, and none meets the picture.
+struct ReadoutLayout {
+  std::vector<ReadoutText> texts = {};
+  std::optional<QLineF> ruler = {};
+};
 
-/// Its length in the unit that the user chose: "20 mm", "0.5 cm".
+/// The picture of a slice in its widget: what the margin leaves.
+QRect pictureIn(QRect widget, bool oblique);
+
+/// Lays out what is said. `buttons`: px at the right of the upper edge that buttons cover. What
+/// does not fit is left out, the position under the pointer first, the letters never.
+ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widget, QRect picture,
+                     int buttons, double mm_per_pixel);
+
+void drawReadout(QPainter& painter, const ReadoutLayout& layout);
+
+/// The length of a ruler in the unit that the user chose: "20 mm", "0.5 cm".
 QString rulerWords(double mm);
 
 /// The user's locale, without separators between thousands.
 QLocale readoutLocale();
+
+/// Rounded as the voxels' type allows, with the unit: "312 HU".
+QString intensityWords(double value, const haptics::Volume& volume);
 
 /// The length of a ruler: 1, 2 or 5 times a power of ten, at most `longest_mm`.
 double rulerLength_mm(double longest_mm);

@@ -19,7 +19,10 @@
 namespace ui {
 namespace {
 
-constexpr double kFollow_voxels = 0.2;  // a tool that moved less moves no plane
+constexpr double kFollow_voxels = 0.2;       // a tool that moved less moves no oblique plane
+constexpr double kCrossFollow_voxels = 0.5;  // and no crosshair
+constexpr double kResume_mm = 2.0;           // from where it was when the user moved the crosshair
+constexpr int kFollowMs = 50;
 constexpr std::array<double, 5> kThicknesses_mm{1.0, 2.0, 5.0, 10.0, 20.0};
 
 /// Where the picture's right is for a first look along `towards`, which points to the viewer: the
@@ -37,8 +40,9 @@ SliceSet::SliceSet(QWidget* parent) : QObject(parent), menu_(new QMenu(parent)) 
   for (const Plane plane : {Plane::Axial, Plane::Coronal, Plane::Sagittal, Plane::Oblique}) {
     auto* slice = new SliceView(plane);
     slices_[static_cast<std::size_t>(plane)] = slice;
-    connect(slice, &SliceView::crossMoved, this, &SliceSet::moveCross);
-    connect(slice, &SliceView::greyChanged, this, &SliceSet::setGrey);
+    connect(slice, &SliceView::crossMoved, this, &SliceSet::holdCross);
+    connect(slice, &SliceView::greyChanged, this, &SliceSet::chooseGrey);
+    connect(slice, &SliceView::greyWanted, this, &SliceSet::takeGrey);
     connect(slice, &SliceView::doubleClicked, this, &SliceSet::doubleClicked);
     connect(slice, &SliceView::menuWanted, this,
             [this, slice](QPoint at) { openMenu(*slice, at); });
@@ -53,6 +57,9 @@ SliceSet::SliceSet(QWidget* parent) : QObject(parent), menu_(new QMenu(parent)) 
     right_W_.reset();
     placeOblique();
   });
+  follow_pause_.setSingleShot(true);
+  follow_pause_.setInterval(kFollowMs);
+  connect(&follow_pause_, &QTimer::timeout, this, &SliceSet::followTool);
   buildMenu();
 }
 
@@ -78,6 +85,11 @@ void SliceSet::buildMenu() {
     for (SliceView* slice : slices_) slice->resetView();
   });
   reset->setObjectName("resetSlices");
+  QAction* fit = menu_->addAction(tr("Fit all slices to the &body"), this, [this] {
+    for (SliceView* slice : slices_) slice->fitBody();
+  });
+  fit->setObjectName("fitSlices");
+  showKey(*fit, Action::FitBody);
   menu_->addSeparator();
   buildGreyMenu();
   buildLookMenu();
@@ -89,8 +101,11 @@ void SliceSet::buildMenu() {
     crosshair_ = on;
     linkPlanes();
   });
-  toggle(tr("&Follow the tool"), "followTool", false, [this](bool on) {
-    follow_ = on;
+  follow_ = toggle(tr("&Follow the tool"), "followTool", true, [this](bool on) {
+    emit followingChanged(on);
+    held_ = false;
+    if (!on || !X_WP_ || !volume_) return;
+    followed_mm_.reset();
     followTool();
   });
   menu_->addSeparator();
@@ -127,18 +142,25 @@ void SliceSet::buildGreyMenu() {
   for (const GreyPreset& preset : hounsfieldPresets()) {
     QAction* action = menu->addAction(
         tr("%1 (W %2, L %3)").arg(preset.name).arg(preset.grey.width).arg(preset.grey.level), this,
-        [this, grey = preset.grey] { setGrey(grey); });
+        [this, grey = preset.grey] { chooseGrey(grey); });
     action->setProperty("level", preset.grey.level);
+    showKey(*action, static_cast<Action>(static_cast<int>(Action::GreySoftTissue) +
+                                         static_cast<int>(presets_.size())));
     presets_ << action;
   }
   QAction* full = menu->addAction(tr("&Full range"), this, [this] {
-    if (volume_) setGrey(fullRange(*volume_));
+    if (volume_) chooseGrey(fullRange(*volume_));
   });
   full->setObjectName("greyFullRange");
   QAction* reset = menu->addAction(tr("&Reset"), this, [this] {
-    if (volume_) setGrey(firstGrey(*volume_, stated_));
+    if (volume_) chooseGrey(firstGrey(*volume_, stated_));
   });
   reset->setObjectName("greyReset");
+  showKey(*reset, Action::GreyAtFirst);
+  menu->addSeparator();
+  QAction* type = menu->addAction(tr("&Level and width…"), this, &SliceSet::askGrey);
+  type->setObjectName("typeGrey");
+  showKey(*type, Action::TypeGrey);
 }
 
 /// Puts what the file states above the other windows.
@@ -148,7 +170,7 @@ void SliceSet::offerStated() {
   QAction* const first = grey_menu_->actions().constFirst();
   for (const GreyPreset& preset : stated_) {
     auto* action = new QAction(wordsOfStated(preset), grey_menu_);
-    connect(action, &QAction::triggered, this, [this, grey = preset.grey] { setGrey(grey); });
+    connect(action, &QAction::triggered, this, [this, grey = preset.grey] { chooseGrey(grey); });
     grey_menu_->insertAction(first, action);
     stated_actions_ << action;
   }
@@ -180,6 +202,7 @@ void SliceSet::buildLookMenu() {
   const auto slab = &SliceLook::slab;
   choice(slabs_, tr("&One plane"), "slabNone", SlabKind::None, slab);
   choice(slabs_, tr("Thick slab: &maximum"), "slabMaximum", SlabKind::Maximum, slab);
+  choice(slabs_, tr("Thick slab: m&inimum"), "slabMinimum", SlabKind::Minimum, slab);
   choice(slabs_, tr("Thick slab: m&ean"), "slabMean", SlabKind::Mean, slab);
   menu->addSeparator();
   thicknesses_ = new QActionGroup(this);
@@ -226,6 +249,48 @@ void SliceSet::askThickness() {
   setLook(look);
 }
 
+void SliceSet::takeGrey(Action which) {
+  if (!volume_) return;
+  if (which == Action::TypeGrey) return askGrey();
+  if (which == Action::GreyAtFirst) return chooseGrey(firstGrey(*volume_, stated_));
+  const int n = static_cast<int>(which) - static_cast<int>(Action::GreySoftTissue);
+  if (presets_[n]->isVisible()) presets_[n]->trigger();
+}
+
+void SliceSet::askGrey() {
+  if (!volume_) return;
+  const double full = std::max(volume_->greatest - volume_->least, 1e-6);
+  const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(full / 100.0))), 0, 9);
+  QDialog dialog(slices_.front()->window());
+  dialog.setObjectName("greyQuestion");
+  dialog.setWindowTitle(tr("Level and width"));
+  auto* form = new QFormLayout(&dialog);
+  const auto field = [&](const QString& label, const char* name, double value, double least) {
+    auto* box = new NumberBox;
+    box->setObjectName(name);
+    box->setDecimals(decimals);
+    box->setRange(least, 1e9);
+    box->setValue(value);
+    if (!volume_->unit.empty()) box->setSuffix(' ' + QString::fromStdString(volume_->unit));
+    form->addRow(label, box);
+    return box;
+  };
+  auto* level = field(tr("&Level"), "greyLevel", grey_.level, -1e9);
+  auto* width = field(tr("&Width"), "greyWidth", grey_.width, std::pow(10.0, -decimals));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  form->addRow(buttons);
+  level->selectAll();
+  if (dialog.exec() == QDialog::Accepted)
+    chooseGrey({.level = level->value(), .width = width->value()});
+}
+
+void SliceSet::chooseGrey(const GreyWindow& grey) {
+  setGrey(grey);
+  emit greyChosen(grey);
+}
+
 void SliceSet::setLook(const SliceLook& look) {
   look_ = look;
   for (SliceView* slice : slices_) slice->setLook(look);
@@ -258,6 +323,7 @@ void SliceSet::look(const ViewLook& look) {
   for (QAction* action : directions_->actions())
     action->setChecked(action->data().toBool() == along_);
   moveCross(look.cross_mm);
+  followed_mm_.reset();  // the tool comes to its place without being moved
   placeOblique();
   for (std::size_t i = 0; i < slices_.size(); ++i) slices_[i]->setFrame(look.slices[i]);
 }
@@ -269,6 +335,7 @@ void SliceSet::show(const Picture& picture, double isovalue,
   offerStated();
   box_mm_ = boxOf_mm(volume_->grid);
   X_WP_.reset();
+  followed_mm_.reset();
   placed_.reset();
   right_W_.reset();
   depth_mm_ = 0.0;
@@ -322,6 +389,7 @@ void SliceSet::moveCross(const Eigen::Vector3d& cross_W_mm) {
 
 void SliceSet::display(const haptics::Snapshot& snapshot) {
   X_WP_ = snapshot.X_WP;
+  if (!followed_mm_) followed_mm_ = tip_mm();
   for (SliceView* slice : slices_) slice->setTool(snapshot.X_WP, snapshot.X_WD);
   followTool();
   if (!obliqueShown()) return;
@@ -332,12 +400,30 @@ void SliceSet::display(const haptics::Snapshot& snapshot) {
     placeOblique();
 }
 
+Eigen::Vector3d SliceSet::tip_mm() const { return *X_WP_ * tip_T_ * kMmPerM; }
+
+bool SliceSet::follows() const { return follow_->isChecked(); }
+
+void SliceSet::setFollowing(bool on) { follow_->setChecked(on); }
+
+void SliceSet::holdCross(const Eigen::Vector3d& cross_W_mm) {
+  held_ = true;
+  if (X_WP_) followed_mm_ = tip_mm();
+  moveCross(cross_W_mm);
+}
+
 void SliceSet::followTool() {
-  if (!follow_ || !X_WP_ || !volume_) return;
-  const Eigen::Vector3d tip =
-      (*X_WP_ * tip_T_ * kMmPerM).cwiseMax(box_mm_.min()).cwiseMin(box_mm_.max());
-  const double least_mm = kFollow_voxels * volume_->grid.spacing.minCoeff() * kMmPerM;
-  if ((tip - cross_mm_).norm() > least_mm) moveCross(tip);
+  if (!follows() || !X_WP_ || !volume_ || follow_pause_.isActive()) return;
+  const Eigen::Vector3d tip = tip_mm();
+  const double voxel_mm = volume_->grid.spacing.minCoeff() * kMmPerM;
+  const double least_mm = held_ ? std::max(kResume_mm, voxel_mm) : kCrossFollow_voxels * voxel_mm;
+  if (followed_mm_ && (tip - *followed_mm_).norm() < least_mm) return;
+  followed_mm_ = tip;
+  held_ = false;
+  const Eigen::Vector3d cross = tip.cwiseMax(box_mm_.min()).cwiseMin(box_mm_.max());
+  if (cross == cross_mm_) return;
+  follow_pause_.start();
+  moveCross(cross);
 }
 
 bool SliceSet::obliqueShown() const { return oblique_->isChecked(); }

@@ -3,6 +3,7 @@
 
 #include <QMenu>
 #include <QObject>
+#include <QTimer>
 #include <array>
 #include <functional>
 #include <memory>
@@ -46,6 +47,9 @@ class SliceSet : public QObject {
   void moveCross(const Eigen::Vector3d& cross_W_mm);
   const Eigen::Vector3d& cross_mm() const { return cross_mm_; }
   void setGrey(const GreyWindow& grey);
+  /// Whether the crosshair goes with the tool's tip while the tool moves.
+  bool follows() const;
+  void setFollowing(bool on);
   const GreyWindow& grey() const { return grey_; }
   /// Writes crosshair, grey window, voxels, the tool's plane and what is seen of each slice.
   void tell(ViewLook& look) const;
@@ -56,6 +60,9 @@ class SliceSet : public QObject {
 
  signals:
   void crossMoved(const Eigen::Vector3d& cross_W_mm);
+  void followingChanged(bool on);
+  /// The user chose this grey window.
+  void greyChosen(const ui::GreyWindow& grey);
   /// The view that goes with the tool shall be seen, or not.
   void obliqueShownChanged(bool shown);
   /// A place in a slice was clicked twice.
@@ -73,6 +80,12 @@ class SliceSet : public QObject {
   void setLook(const SliceLook& look);
   void showLook();
   void askThickness();
+  void askGrey();
+  void takeGrey(Action which);
+  void chooseGrey(const GreyWindow& grey);
+  /// The user moved the crosshair: it stays there until the tool has moved some way.
+  void holdCross(const Eigen::Vector3d& cross_W_mm);
+  Eigen::Vector3d tip_mm() const;
   void linkPlanes();
   void placeOblique();
   void followTool();
@@ -94,7 +107,10 @@ class SliceSet : public QObject {
   GreyWindow grey_;
   SliceLook look_;
   bool crosshair_ = true;
-  bool follow_ = false;
+  QAction* follow_ = nullptr;
+  std::optional<Eigen::Vector3d> followed_mm_;  ///< where the tip was when the crosshair went to it
+  bool held_ = false;                           ///< the user moved the crosshair since
+  QTimer follow_pause_;                         ///< runs after the crosshair went with the tool
   bool along_ = false;     ///< the oblique plane holds the tool's axis, else it is normal to it
   double depth_mm_ = 0.0;  ///< of the oblique plane from the tip, along its normal
   haptics::Vec3 tip_T_ = haptics::Vec3::Zero();  ///< m, tool frame

@@ -19,12 +19,12 @@
 namespace ui {
 namespace {
 
-constexpr int kSideMargin = 28, kEndMargin = 20;  // px, for the letters
-constexpr double kRoom = 1.04;                    // of the picture, around a whole slice
-constexpr double kObliqueView_mm = 120.0;         // that an oblique view shows at first, at most
-constexpr double kFarthest = 0.25;                // least zoom
-constexpr double kNearest_px = 60.0;              // for a voxel, at most
-constexpr double kVisible_px = 0.25;              // a tool that moved less is not drawn again
+constexpr double kRoom = 1.04;             // of the picture, around a whole slice
+constexpr double kObliqueView_mm = 120.0;  // that an oblique view shows at first, at most
+constexpr double kFarthest = 0.25;         // least zoom
+constexpr double kNearest_px = 60.0;       // for a voxel, at most
+constexpr double kVisible_px = 0.25;       // a tool that moved less is not drawn again
+constexpr int kBodyCell = 4;               // px
 
 QString nameOf(Plane plane) {
   switch (plane) {
@@ -73,6 +73,7 @@ class SliceView::Geometry : public ViewGeometry {
   }
   const QWidget& widget() const override { return view_; }
   QRectF room() const override { return view_.pictureRect(); }
+  bool showsBody(const QRectF& box) const override { return view_.showsBody(box); }
 
  private:
   Eigen::Vector3d towards() const { return view_.axes_.right.cross(view_.axes_.up); }
@@ -111,6 +112,7 @@ void SliceView::take(const Picture& picture) {
   slice_.show(picture);
   volume_ = picture.volume;
   box_mm_ = boxOf_mm(volume_->grid);
+  body_mm_ = picture.body_mm;
   changed();
 }
 
@@ -118,7 +120,7 @@ void SliceView::show(const Picture& picture) {
   X_WP_.reset();
   X_WD_.reset();
   take(picture);
-  resetView();
+  fitBody();
 }
 
 void SliceView::replace(const Picture& picture) { take(picture); }
@@ -155,6 +157,7 @@ void SliceView::setCross(const Eigen::Vector3d& cross_W_mm) {
   if (other) changed();
   // a crosshair that was moved elsewhere is looked for
   if (drag_ == Drag::None && volume_ && !QRectF(pictureRect()).contains(projected(cross_mm_))) {
+    fitted_ = false;
     const Eigen::Vector3d by = cross_mm_ - middle_mm();
     pan_mm_ += Eigen::Vector2d{axes_.right.dot(by), axes_.up.dot(by)};
     changed();
@@ -226,19 +229,47 @@ void SliceView::setTool(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
   update(painted);
 }
 
-QRect SliceView::pictureRect() const {
-  return rect().adjusted(kSideMargin, kEndMargin, -kSideMargin, -kEndMargin);
+QRect SliceView::pictureRect() const { return pictureIn(rect(), plane_ == Plane::Oblique); }
+
+ReadoutLayout SliceView::readoutLayout() const {
+  return layOut(readout(), font(), rect(), pictureRect(), button_room_, mmPerPixel());
 }
 
-double SliceView::fittingMmPerPixel() const {
-  if (box_mm_.isEmpty()) return 1.0;
+bool SliceView::showsBody(const QRectF& box) const {
+  const QRect picture = pictureRect();
+  const double scale = image_.devicePixelRatio();
+  if (slice_.empty() || image_.isNull()) return false;
+  const int cell = qRound(kBodyCell * scale);
+  if (body_before_.empty()) {
+    body_cells_ = {(image_.width() + cell - 1) / cell, (image_.height() + cell - 1) / cell};
+    body_before_ = slice_.bodyBefore(cell, body_cells_);
+  }
+  const QRectF in = box.intersected(picture).translated(-picture.topLeft());
+  if (in.isEmpty()) return false;
+  const auto before = [&](int x, int y) {
+    return body_before_[static_cast<std::size_t>(y * (body_cells_.width() + 1) + x)];
+  };
+  const auto along = [&](double at, int most, bool up) {
+    const double cells = at * scale / cell;
+    return std::clamp(static_cast<int>(up ? std::ceil(cells) : std::floor(cells)), 0, most);
+  };
+  const int left = along(in.left(), body_cells_.width(), false);
+  const int right = along(in.right(), body_cells_.width(), true);
+  const int top = along(in.top(), body_cells_.height(), false);
+  const int bottom = along(in.bottom(), body_cells_.height(), true);
+  return before(right, bottom) - before(left, bottom) - before(right, top) + before(left, top) > 0;
+}
+
+double SliceView::fittingMmPerPixel() const { return box_mm_.isEmpty() ? 1.0 : fitting(box_mm_); }
+
+double SliceView::fitting(const Eigen::AlignedBox3d& box_mm) const {
   const QRect picture = pictureRect();
   double across = 0.0, upward = 0.0;
   if (plane_ == Plane::Oblique) {  // the same whichever way it lies
     across = upward = std::min(kObliqueView_mm, box_mm_.diagonal().norm());
   } else {
-    across = axes_.right.cwiseAbs().dot(box_mm_.sizes());
-    upward = axes_.up.cwiseAbs().dot(box_mm_.sizes());
+    across = axes_.right.cwiseAbs().dot(box_mm.sizes());
+    upward = axes_.up.cwiseAbs().dot(box_mm.sizes());
   }
   return std::max({kRoom * across / std::max(1, picture.width()),
                    kRoom * upward / std::max(1, picture.height()), 1e-3});
@@ -268,7 +299,20 @@ Eigen::Vector3d SliceView::placeUnder(QPointF at) const {
   return middle_mm() + axes_.right * (by.x() * scale) - axes_.up * (by.y() * scale);
 }
 
+void SliceView::fitBody() {
+  if (!volume_) return;
+  zoom_ = allowedZoom(fittingMmPerPixel() / fitting(body_mm_));
+  pan_mm_.setZero();
+  if (plane_ != Plane::Oblique) {
+    const Eigen::Vector3d by = body_mm_.center() - box_mm_.center();
+    pan_mm_ = {axes_.right.dot(by), axes_.up.dot(by)};
+  }
+  fitted_ = true;
+  changed();
+}
+
 void SliceView::resetView() {
+  fitted_ = false;
   zoom_ = 1.0;
   pan_mm_.setZero();
   changed();
@@ -282,6 +326,7 @@ double SliceView::allowedZoom(double zoom) const {
 
 void SliceView::setFrame(const SliceFrame& frame) {
   if (!volume_) return;
+  fitted_ = false;
   zoom_ = allowedZoom(frame.zoom);
   pan_mm_ = frame.shift_mm;
   changed();
@@ -289,6 +334,7 @@ void SliceView::setFrame(const SliceFrame& frame) {
 
 void SliceView::zoom(double factor, QPointF at) {
   if (!volume_) return;
+  fitted_ = false;
   const Eigen::Vector3d before = placeUnder(at);
   zoom_ = allowedZoom(zoom_ * factor);
   const Eigen::Vector3d by = before - placeUnder(at);
@@ -297,6 +343,7 @@ void SliceView::zoom(double factor, QPointF at) {
 }
 
 void SliceView::pan(QPointF by) {
+  fitted_ = false;
   pan_mm_ += Eigen::Vector2d{-by.x(), by.y()} * mmPerPixel();
   changed();
 }
@@ -338,7 +385,12 @@ void SliceView::shiftGrey(double level, double width) {
   emit greyChanged(grey);
 }
 
-void SliceView::resizeEvent(QResizeEvent*) { changed(); }
+void SliceView::resizeEvent(QResizeEvent*) {
+  if (fitted_)
+    fitBody();
+  else
+    changed();
+}
 
 void SliceView::addOverlay(Overlay& overlay) {
   overlays_.add(overlay);

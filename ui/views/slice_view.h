@@ -22,6 +22,7 @@
 namespace ui {
 
 struct Patch;
+struct ReadoutLayout;
 struct SliceReadout;
 
 /// A plane that another view shows, drawn as the line in which it meets a slice.
@@ -34,7 +35,7 @@ struct CrossedPlane {
 };
 
 /// One slice: the picture, the contour of the touched surface, the lines of the other planes, the
-/// outline of proxy (solid) and device (dashed), and what is said in corners and on the margin.
+/// outline of proxy (solid) and device (dashed), and what is said on the margin around it.
 /// Zoomed and shifted on its own; what concerns all slices is asked for by signals.
 ///
 /// Keys and mouse are in ui/controls/bindings.h.
@@ -68,6 +69,8 @@ class SliceView : public QWidget, public Spoken {
   /// Draws this above the slice, and asks it first for mouse and keys.
   void addOverlay(Overlay& overlay);
   void setMouse(const MouseChoices& mouse) { mouse_ = mouse; }
+  /// So many pixels at the right of the upper edge are covered by buttons.
+  void setButtonRoom(int pixels) { button_room_ = pixels; }
   /// What the mouse does here, in a line.
   QString hint() const;
 
@@ -80,12 +83,15 @@ class SliceView : public QWidget, public Spoken {
   /// The place of W, mm, under a pixel, in the plane of the slice.
   Eigen::Vector3d placeUnder(QPointF at) const;
   double mmPerPixel() const;
-  /// The part of the widget in which the picture is; around it is the margin with the letters.
+  /// The part of the widget in which the picture is; around it is the margin with the words.
   QRect pictureRect() const;
   /// The contour as it was last drawn: ends of pieces, W, mm.
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> contour_W_mm() const;
-  /// What is written in corners and on the margin.
+  /// What is written on the margin, and where.
   SliceReadout readout() const;
+  ReadoutLayout readoutLayout() const;
+  /// Whether the picture, as it was last cut, shows some of the body in a box.
+  bool showsBody(const QRectF& box) const;
   QSize sizeHint() const override { return {300, 260}; }
   /// What is on view, cut and drawn with so many pixels for one of the widget. Null if it would be
   /// too large.
@@ -100,6 +106,8 @@ class SliceView : public QWidget, public Spoken {
   void setFrame(const SliceFrame& frame);
   /// Shows the whole slice.
   void resetView();
+  /// Shows the body, as large as it can be, also after the widget's size has changed.
+  void fitBody();
   /// Above 1: nearer. What is under `at` stays there.
   void zoom(double factor, QPointF at);
   void pan(QPointF by);
@@ -118,6 +126,8 @@ class SliceView : public QWidget, public Spoken {
   void resetWanted();
   void toolToCrossWanted();
   void crossToToolWanted();
+  /// The user wants a usual grey window, or to type one.
+  void greyWanted(ui::Action which);
   void hintChanged(const QString& hint);
 
  protected:
@@ -138,12 +148,14 @@ class SliceView : public QWidget, public Spoken {
   static constexpr int kRestMs = 150;  ///< without a change: the contour is followed finely
 
   void take(const Picture& picture);
-  void draw(QPainter& painter);
+  void draw(QPainter& painter, const QString& note = {});
   void changed();
   void moveCrossTo(const Eigen::Vector3d& p_W_mm);
   /// The middle of the picture: a place in the plane.
   Eigen::Vector3d middle_mm() const;
   double fittingMmPerPixel() const;
+  /// How large a pixel is if a box just fits.
+  double fitting(const Eigen::AlignedBox3d& box_mm) const;
   /// The nearest zoom that is possible.
   double allowedZoom(double zoom) const;
   /// The axis of the grid along which the slices lie; none if they are oblique to it.
@@ -176,7 +188,11 @@ class SliceView : public QWidget, public Spoken {
   bool stale_ = true;       ///< the cut
   bool grey_stale_ = true;  ///< its grey
   std::shared_ptr<const haptics::Volume> volume_;
-  Eigen::AlignedBox3d box_mm_;
+  Eigen::AlignedBox3d box_mm_, body_mm_;
+  bool fitted_ = false;  ///< to the body, and neither zoomed nor shifted since
+  int button_room_ = 0;
+  mutable std::vector<int> body_before_;  ///< of the cut's cells; empty: not yet looked for
+  mutable QSize body_cells_;
   Eigen::Vector3d cross_mm_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d through_mm_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d pan_mm_ = Eigen::Vector2d::Zero();  ///< of the middle, along right and up

@@ -111,6 +111,19 @@ bool SliceView::perform(const Binding& meaning) {
       resetView();
       emit resetWanted();
       break;
+    case Action::FitBody:
+      fitBody();
+      break;
+    case Action::GreySoftTissue:
+    case Action::GreyBone:
+    case Action::GreyLung:
+    case Action::GreyBrain:
+    case Action::GreyMediastinum:
+    case Action::GreyTemporalBone:
+    case Action::GreyAtFirst:
+    case Action::TypeGrey:
+      emit greyWanted(meaning.action);
+      break;
     case Action::Pan:
       pan(way * -kPanKey);
       break;
@@ -139,9 +152,8 @@ bool SliceView::perform(const Binding& meaning) {
 QString SliceView::hint() const {
   const QString over = overlays_.hint();
   if (!over.isEmpty()) return over;
-  return tr(
-      "Wheel: slices. Drag: crosshair. Right drag: brightness, contrast. Ctrl and wheel: "
-      "nearer. Middle drag: shifts.");
+  return tr("Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits.")
+      .arg(keyOf(Action::FitBody));
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {

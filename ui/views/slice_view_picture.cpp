@@ -18,14 +18,6 @@ namespace {
 constexpr double kTipRing_px = 4.0;  // radius of what stands for a tool beside the plane
 constexpr double kCrossGap = 8.0;    // px, around the crosshair's middle
 
-/// Rounded as the voxels' type allows.
-QString intensityWords(double value, const haptics::Volume& volume) {
-  const bool whole = volume.type != haptics::ScalarType::Float32 || std::abs(value) >= 1000.0;
-  const QString number = whole ? readoutLocale().toString(std::round(value) + 0.0, 'f', 0)
-                               : readoutLocale().toString(value, 'g', 4);
-  return volume.unit.empty() ? number : number + ' ' + QString::fromStdString(volume.unit);
-}
-
 }  // namespace
 
 Patch SliceView::visiblePatch() const {
@@ -105,7 +97,7 @@ QImage SliceView::picture(int scale) {
   image.setDevicePixelRatio(scale);
   QPainter painter(&image);
   painter.setFont(font());
-  draw(painter);
+  draw(painter, overlays_.note());
   painter.end();
   image.setDevicePixelRatio(1.0);
   return image;
@@ -120,7 +112,7 @@ void SliceView::paintEvent(QPaintEvent*) {
   painter.drawRect(pictureRect());
 }
 
-void SliceView::draw(QPainter& painter) {
+void SliceView::draw(QPainter& painter, const QString& note) {
   painter.fillRect(rect(), style::kSliceGround);
   const QRect picture = pictureRect();
   if (slice_.empty() || picture.isEmpty()) return;
@@ -131,6 +123,7 @@ void SliceView::draw(QPainter& painter) {
     slice_.cut(axes_, middle_mm(), pixels, mmPerPixel() / scale, look_);
     stale_ = false;
     grey_stale_ = true;
+    body_before_.clear();
   }
   if (grey_stale_) {
     image_ = slice_.picture(grey_);
@@ -148,14 +141,12 @@ void SliceView::draw(QPainter& painter) {
   painter.setRenderHint(QPainter::Antialiasing);
   drawCrossedPlanes(painter);
   drawTool(painter);
-  // below the overlays: a handle at the border of the picture is not crossed by it
-  painter.setRenderHint(QPainter::Antialiasing, false);
-  drawRuler(painter, mmPerPixel(), picture);
-  painter.setRenderHint(QPainter::Antialiasing);
   overlays_.paint(painter, *geometry_);
   painter.setClipping(false);
   painter.setRenderHint(QPainter::Antialiasing, false);
-  drawReadout(painter, readout(), rect(), picture);
+  SliceReadout said = readout();
+  said.note = note;
+  drawReadout(painter, layOut(said, font(), rect(), picture, button_room_, mmPerPixel()));
 }
 
 void SliceView::drawCrossedPlanes(QPainter& painter) const {
@@ -260,7 +251,9 @@ SliceReadout SliceView::readout() const {
   }
   if (look_.slab != SlabKind::None)
     readout.slab =
-        (look_.slab == SlabKind::Maximum ? tr("maximum of %1") : tr("mean of %1"))
+        (look_.slab == SlabKind::Maximum   ? tr("maximum of %1")
+         : look_.slab == SlabKind::Minimum ? tr("minimum of %1")
+                                           : tr("mean of %1"))
             .arg(readoutLocale().toString(look_.thickness_mm / mmPerLengthUnit(), 'g', 3) + ' ' +
                  lengthUnitName());
   const int digits = std::abs(grey_.width) < 10.0 ? 2 : 0;

@@ -23,6 +23,7 @@
 #include "ui/props/held_pass.h"
 #include "ui/props/veil_pass.h"
 #include "ui/style/scene_colours.h"
+#include "ui/views/slice_readout.h"
 
 namespace ui {
 namespace {
@@ -30,6 +31,7 @@ namespace {
 // of a surface in motion, on software graphics
 constexpr std::int64_t kMovingTriangles = 80'000;
 constexpr int kStillMs = 400;         // no movement for this long is rest
+constexpr int kPointedMs = 100;       // between two looks at what is under the pointer
 constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
 constexpr double kSeenAtLeast = 0.6;  // of the most that is seen of a box from anywhere
 constexpr double kBehindTool_mm = 120.0;                 // of the eye, looking along the tool
@@ -42,7 +44,7 @@ using style::kViewGround;
 /// What overlays know of the 3-D view.
 class VolumeView::Geometry : public ViewGeometry {
  public:
-  explicit Geometry(const VolumeView& view) : view_(view) {}
+  explicit Geometry(VolumeView& view) : view_(view) {}
 
   bool isSlice() const override { return false; }
   QPointF projected(const Eigen::Vector3d& p_W_mm) const override {
@@ -68,9 +70,10 @@ class VolumeView::Geometry : public ViewGeometry {
   QRectF room() const override {
     return QRectF(view_.rect()).adjusted(kLetterSide, kLetterEnd, -kLetterSide, -kLetterEnd);
   }
+  bool showsBody(const QRectF& box) const override { return view_.showsBody(box); }
 
  private:
-  const VolumeView& view_;
+  VolumeView& view_;
 };
 
 VolumeView::VolumeView(QWidget* parent)
@@ -110,6 +113,9 @@ VolumeView::VolumeView(QWidget* parent)
   connect(&still_, &QTimer::timeout, this, &VolumeView::settle);
   connect(this, &Viewport::graphicsKnown, this, [this] { chooseMode(); });
   whenKeysChange(*this, [this] { emit hintChanged(hint()); });
+  pointed_.setSingleShot(true);
+  pointed_.setInterval(kPointedMs);
+  connect(&pointed_, &QTimer::timeout, this, &VolumeView::tellPointed);
 }
 
 VolumeView::~VolumeView() = default;
@@ -368,6 +374,40 @@ std::optional<SurfacePlace> VolumeView::surfaceUnder(QPointF at) const {
   return touched_.firstMet(from_mm / kMmPerM, (from_mm + far_mm * along) / kMmPerM, isovalue_);
 }
 
+bool VolumeView::showsBody(const QRectF& box) {
+  const Eigen::AlignedBox3d body = surface_.bounds_mm();
+  if (body.isEmpty()) return false;
+  // the outline of a convex body is apart from a box if a line along one of its edges is between
+  std::array<QPointF, 8> corners;
+  for (int n = 0; n < 8; ++n) {
+    const auto of = static_cast<Eigen::AlignedBox3d::CornerType>(n);
+    corners[static_cast<std::size_t>(n)] = camera_.projected(body.corner(of));
+  }
+  const std::array<QPointF, 4> sides{box.topLeft(), box.topRight(), box.bottomLeft(),
+                                     box.bottomRight()};
+  const auto apartAlong = [&](QPointF way) {
+    const auto span = [&](const auto& points) {
+      double least = INFINITY, most = -INFINITY;
+      for (const QPointF& p : points) {
+        least = std::min(least, QPointF::dotProduct(way, p));
+        most = std::max(most, QPointF::dotProduct(way, p));
+      }
+      return std::pair{least, most};
+    };
+    const auto [a, b] = span(corners);
+    const auto [c, d] = span(sides);
+    return a > d || c > b;
+  };
+  if (apartAlong({1.0, 0.0}) || apartAlong({0.0, 1.0})) return false;
+  for (int n = 0; n < 8; ++n)
+    for (const int bit : {1, 2, 4}) {
+      const QPointF edge =
+          corners[static_cast<std::size_t>(n ^ bit)] - corners[static_cast<std::size_t>(n)];
+      if (apartAlong({-edge.y(), edge.x()})) return false;
+    }
+  return true;
+}
+
 Eigen::Vector3d VolumeView::aimUnder(QPointF at) const {
   if (const auto met = surfaceUnder(at)) return met->p_W * kMmPerM;
   return camera_.placeBeside(at, Eigen::Vector3d{camera()->GetFocalPoint()});
@@ -376,6 +416,15 @@ Eigen::Vector3d VolumeView::aimUnder(QPointF at) const {
 void VolumeView::zoom(double factor, QPointF at) {
   camera_.zoom(factor, aimUnder(at));
   cameraMoved();
+}
+
+void VolumeView::tellPointed() {
+  QString words;
+  const auto met = underMouse() && !grasp_ ? surfaceUnder(last_mouse_) : std::nullopt;
+  if (met && touched_.value && picture().volume != nullptr)
+    words = intensityWords(touched_.value(met->p_W), *picture().volume) + QStringLiteral("   ") +
+            positionWords(met->p_W * kMmPerM, orientation_known_);
+  emit pointedChanged(words);
 }
 
 QPointF VolumeView::projected(const haptics::Vec3& p_W) const {

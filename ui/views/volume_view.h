@@ -116,6 +116,8 @@ class VolumeView : public Viewport, public Spoken {
   void mouseModeChanged(ui::MouseMode mode);
   /// The mouse does something else from now on.
   void hintChanged(const QString& hint);
+  /// Value and place of the touched surface under the pointer; empty: none.
+  void pointedChanged(const QString& words);
   void mouseHandChanged(bool possible);
   void parallelChanged(bool parallel);
   void clutchHeld(bool held);
@@ -140,6 +142,7 @@ class VolumeView : public Viewport, public Spoken {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void leaveEvent(QEvent* event) override;
 
  private:
   class Geometry;
@@ -173,6 +176,9 @@ class VolumeView : public Viewport, public Spoken {
   void moveByKey(const Binding& meaning);
   void chooseCursor(QPointF at);
   void fitClippingRange();
+  void tellPointed();
+  /// Whether the box that the surface fills is seen in a box of the view.
+  bool showsBody(const QRectF& box);
   void paintOver(QPainter& painter, const QSizeF& size) const;
   void paintContacts(QPainter& painter) const;
 
@@ -203,6 +209,7 @@ class VolumeView : public Viewport, public Spoken {
   std::optional<haptics::Pose> hand_target_;
   QPointF last_mouse_, press_;
   QTimer still_{this};
+  QTimer pointed_{this};       ///< runs after the pointer moved
   bool fine_awaited_ = false;  ///< a finer mesh is being made
   TouchedSurface touched_;
   std::unique_ptr<ViewGeometry> geometry_;

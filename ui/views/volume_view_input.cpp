@@ -250,6 +250,7 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->position() - last_mouse_;
   last_mouse_ = event->position();
+  if (!pointed_.isActive()) pointed_.start();
   if (overlays_.move(*geometry_, *event)) return;
   if (grasp_)
     dragBy(by, event->modifiers());
@@ -411,6 +412,11 @@ void VolumeView::hold(Action action, bool on, quint32 place) {
     emit clutchHeld(on);
   else
     emit forceHeld(on);
+}
+
+void VolumeView::leaveEvent(QEvent* event) {
+  if (!pointed_.isActive()) pointed_.start();
+  Viewport::leaveEvent(event);
 }
 
 void VolumeView::focusOutEvent(QFocusEvent* event) {

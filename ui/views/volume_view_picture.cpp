@@ -120,6 +120,8 @@ QImage VolumeView::picture(double scale) {
   painter.scale(scale, scale);
   painter.setFont(font());
   paintOver(painter, size());
+  if (const QString note = overlays_.note(); !note.isEmpty())
+    paintOutlined(painter, {8.0, height() - 8.0}, font(), style::kContact, note);
   return image;
 }
 

@@ -222,7 +222,7 @@ bool MainWindow::focusNextPrevChild(bool next) {
 }
 
 void MainWindow::buildStatusBar() {
-  auto* notice = new QLabel(tr("Not a medical device"));
+  auto* notice = new QLabel(tr("Not a medical device. Not for treatment."));
   for (QLabel* label : {notice, scan_line_, graphics_, static_cast<QLabel*>(status_)})
     style::setDim(*label);
   notice->setContentsMargins(style::kGap, 0, style::kGap, 0);

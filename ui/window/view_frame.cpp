@@ -18,13 +18,13 @@ namespace {
 constexpr int kLine = 2;  // px, of the coloured line above the view
 constexpr int kCardMargin = 12;
 // px from the top of the view to a card there, and about the card that stay free
-constexpr int kBelowCube = 108, kBelowSentences = 84, kClear = 8;
+constexpr int kBelowCube = 108, kBelowSentences = 84, kAboutCard = 8;
 constexpr std::size_t kCorners = 4;
 constexpr QSize kRoomForPlot{420, 320}, kRoomForCard{150, 100};  // px, of the view
 constexpr int kButton = 20;                                      // px
-constexpr int kHint = 20;                                        // px, height of the line
+constexpr int kHint = 20, kHintLine = 14;  // px, height of one line, and of another
 
-enum class Sign { Menu, Larger, Smaller, Close };
+enum class Sign { Menu, Larger, Smaller, Close, Fit, Follow, Stay };
 
 QIcon iconOf(Sign sign) {
   QIcon icon;
@@ -41,6 +41,15 @@ QIcon iconOf(Sign sign) {
     } else if (sign == Sign::Close) {
       painter.drawLine(QPointF{5.0, 5.0}, QPointF{11.0, 11.0});
       painter.drawLine(QPointF{5.0, 11.0}, QPointF{11.0, 5.0});
+    } else if (sign == Sign::Fit) {
+      painter.drawEllipse(QRectF{5.0, 4.0, 6.0, 8.0});
+      painter.drawRect(QRectF{2.5, 2.5, 11.0, 11.0});
+    } else if (sign == Sign::Follow || sign == Sign::Stay) {
+      // a crosshair, whose middle is full while it goes with the tool
+      for (const QPointF& way : {QPointF{1, 0}, QPointF{-1, 0}, QPointF{0, 1}, QPointF{0, -1}})
+        painter.drawLine(QPointF{8.0, 8.0} + 3.5 * way, QPointF{8.0, 8.0} + 6.0 * way);
+      if (sign == Sign::Follow) painter.setBrush(style::kViewFocus);
+      painter.drawEllipse(QPointF{8.0, 8.0}, 3.5, 3.5);
     } else {
       // brackets of two opposite corners, which open to the outside or to the inside
       const double tip = sign == Sign::Larger ? 3.0 : 7.0, arm = sign == Sign::Larger ? 4.0 : -4.0;
@@ -60,14 +69,21 @@ QIcon iconOf(Sign sign) {
   return icon;
 }
 
-/// As many sentences as fit into so many pixels, and a sign that there are more.
+/// As many sentences as fit into two lines of so many pixels, broken between words.
 QString wholeSentences(const QString& text, const QFontMetrics& metrics, int width) {
-  static const QString kMore = QStringLiteral(" …");
-  if (metrics.horizontalAdvance(text) <= width) return text;
-  qsizetype end = 0;
-  for (qsizetype next = 0; (next = text.indexOf(QLatin1String(". "), next)) >= 0; ++next)
-    if (metrics.horizontalAdvance(text.left(next + 1) + kMore) <= width) end = next + 1;
-  return end > 0 ? text.left(end) + kMore : metrics.elidedText(text, Qt::ElideRight, width);
+  const auto inLines = [&](const QString& words) -> QString {
+    if (metrics.horizontalAdvance(words) <= width) return words;
+    for (qsizetype at = words.size(); (at = words.lastIndexOf(' ', at - 1)) > 0;)
+      if (metrics.horizontalAdvance(words.left(at)) <= width)
+        return metrics.horizontalAdvance(words.mid(at + 1)) <= width
+                   ? words.left(at) + '\n' + words.mid(at + 1)
+                   : QString();
+    return {};
+  };
+  for (qsizetype end = text.size(); end > 0;
+       end = text.left(end - 1).lastIndexOf(QLatin1String(". ")) + 1)
+    if (const QString lines = inLines(text.left(end)); !lines.isEmpty()) return lines;
+  return metrics.elidedText(text, Qt::ElideRight, width);
 }
 
 /// A button over a view, which is dark in every theme.
@@ -107,11 +123,21 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
     connect(menu_, &QToolButton::clicked, this, [this] {
       emit menuWanted(menu_->mapToGlobal(QPoint{0, kButton}));
     });
+    fit_ = buttonOf(this, "fitBody", Sign::Fit);
+    fit_->setAccessibleName(tr("Fit to the body"));
+    connect(fit_, &QToolButton::clicked, this, &ViewFrame::fitWanted);
+    follow_ = buttonOf(this, "followTool", Sign::Follow);
+    follow_->setCheckable(true);
+    follow_->setAccessibleName(tr("Follow the tool"));
+    connect(follow_, &QToolButton::clicked, this, &ViewFrame::followWanted);
+    setFollowing(true);
   }
   maximise_ = buttonOf(this, "maximise", Sign::Larger);
   connect(maximise_, &QToolButton::clicked, this, &ViewFrame::maximiseWanted);
   whenKeysChange(*this, [this] {
     if (menu_ != nullptr) menu_->setToolTip(withKey(tr("Choices for slices"), Action::SliceMenu));
+    if (fit_ != nullptr)
+      fit_->setToolTip(withKey(tr("Shows the body as large as it can be"), Action::FitBody));
     setMaximised(maximised_);
   });
   hint_ = new QLabel(this);
@@ -123,6 +149,14 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
   hint_->setAutoFillBackground(true);
   hint_->setIndent(6);
   style::setType(*hint_, style::Type::Small);
+  pointed_ = new QLabel(this);
+  pointed_->setObjectName("pointed");
+  pointed_->setPalette(dark);
+  pointed_->setAutoFillBackground(true);
+  pointed_->setMargin(3);
+  pointed_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  pointed_->hide();
+  style::setType(*pointed_, style::Type::Small);
   hide_hint_ = buttonOf(this, "hideHints", Sign::Close);
   hide_hint_->setToolTip(tr("Hide the hints of all views (View > Hints shows them again)"));
   hide_hint_->setAccessibleName(tr("Hide hints"));
@@ -141,6 +175,41 @@ void ViewFrame::setHintShown(bool shown) {
   hint_shown_ = shown;
   place();
 }
+
+void ViewFrame::setPointed(const QString& words) {
+  if (words != pointed_->text()) pointed_->setText(words);
+  pointed_->setVisible(!words.isEmpty());
+  placePointed();
+}
+
+void ViewFrame::placePointed() {
+  if (pointed_->isHidden()) return;
+  const QRect view = view_->geometry();
+  pointed_->resize(pointed_->sizeHint());
+  QRect plate(view.topLeft() + QPoint{6, 6}, pointed_->size());
+  constexpr int kClear = 24;  // px, from the pointer
+  if (plate.adjusted(-kClear, -kClear, kClear, kClear).contains(mapFromGlobal(QCursor::pos())))
+    plate.moveBottom(view.bottom() - 6);
+  pointed_->setGeometry(plate);
+  pointed_->raise();
+}
+
+void ViewFrame::setFollowing(bool on) {
+  if (follow_ == nullptr) return;
+  follow_->setChecked(on);
+  follow_->setIcon(iconOf(on ? Sign::Follow : Sign::Stay));
+  follow_->setToolTip(on ? tr("The slices go with the tool. A click lets them stay")
+                         : tr("The slices stay. A click lets them go with the tool"));
+}
+
+QList<QToolButton*> ViewFrame::buttons() const {
+  QList<QToolButton*> all;
+  for (QToolButton* button : {maximise_, menu_, fit_, follow_})
+    if (button != nullptr) all << button;
+  return all;
+}
+
+int ViewFrame::buttonRoom() const { return static_cast<int>(buttons().size()) * (kButton + 2) + 2; }
 
 void ViewFrame::setMaximised(bool maximised) {
   maximise_->setIcon(iconOf(maximised ? Sign::Smaller : Sign::Larger));
@@ -191,18 +260,19 @@ void ViewFrame::place() {
   hint_->setVisible(hint_shown_);
   hide_hint_->setVisible(hint_shown_);
   if (hint_shown_) {
-    inner.setBottom(inner.bottom() - kHint);
-    hint_->setGeometry(inner.left(), inner.bottom() + 1, inner.width(), kHint);
     hint_->setText(wholeSentences(hint_words_, hint_->fontMetrics(), inner.width() - kHint - 10));
+    const int height = kHint + (hint_->text().contains('\n') ? kHintLine : 0);
+    inner.setBottom(inner.bottom() - height);
+    hint_->setGeometry(inner.left(), inner.bottom() + 1, inner.width(), height);
     hide_hint_->setGeometry(inner.right() + 1 - kHint, inner.bottom() + 1, kHint, kHint);
     hide_hint_->raise();
   }
   view_->setGeometry(inner);
   keepCardClear();
+  placePointed();
   int x = width() - 4 - kButton;
-  for (QToolButton* button : {maximise_, menu_}) {
-    if (button == nullptr) continue;
-    button->move(x, kLine + 4);
+  for (QToolButton* button : buttons()) {
+    button->move(x, kLine + 3);
     button->raise();
     x -= kButton + 2;
   }
@@ -228,7 +298,7 @@ void ViewFrame::keepCardClear() {
   card_->setVisible(holds(kRoomForCard));
   card_->setCompact(!holds(kRoomForPlot));
   const auto isFree = [&](std::size_t corner, bool folded) {
-    const QRect part = cardIn(corner, folded).adjusted(-kClear, -kClear, kClear, kClear);
+    const QRect part = cardIn(corner, folded).adjusted(-kAboutCard, -kAboutCard, kAboutCard, kAboutCard);
     return !taken_(part.translated(-view_->pos()));
   };
   bool folded = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QColor>
+#include <QList>
 #include <QWidget>
 #include <cstddef>
 #include <functional>
@@ -26,6 +27,12 @@ class ViewFrame : public QWidget {
   void setMaximised(bool maximised);
   void setHint(const QString& hint);
   void setHintShown(bool shown);
+  /// Words on a plate in a corner of the view; empty: no plate. It leaves the pointer free.
+  void setPointed(const QString& words);
+  /// Whether the slices go with the tool, as its button shows.
+  void setFollowing(bool on);
+  /// How much of the view's upper edge its buttons cover, from the right.
+  int buttonRoom() const;
   /// Shows the force in a corner of the view, at first the lower right one: the figure alone where
   /// the view is small, and not at all where it would cover the most of it. `taken`: whether there
   /// is something in this part of the view that must not be covered.
@@ -44,6 +51,8 @@ class ViewFrame : public QWidget {
   /// The user folded the card, or unfolded it.
   void cardFoldedChanged();
   void menuWanted(QPoint at);
+  void fitWanted();
+  void followWanted(bool on);
 
  protected:
   bool event(QEvent* event) override;
@@ -51,12 +60,17 @@ class ViewFrame : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  QList<QToolButton*> buttons() const;
   void place();
+  void placePointed();
   QRect cardIn(std::size_t corner, bool folded) const;
 
   QWidget* view_;
   QColor colour_;
   QToolButton* menu_ = nullptr;
+  QToolButton* fit_ = nullptr;
+  QToolButton* follow_ = nullptr;
+  QLabel* pointed_;
   QToolButton* maximise_;
   QLabel* hint_;
   QToolButton* hide_hint_;

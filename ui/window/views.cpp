@@ -26,6 +26,7 @@ Views::Views(QWidget* window)
   frames[0] = new ViewFrame(volume_, style::kViewFrame, false);
   frames[0]->setHint(volume_->hint());
   connect(volume_, &VolumeView::hintChanged, frames[0], &ViewFrame::setHint);
+  connect(volume_, &VolumeView::pointedChanged, frames[0], &ViewFrame::setPointed);
   for (SliceView* slice : slices_->slices()) {
     auto* frame = new ViewFrame(slice, colourOf(slice->plane()), true);
     frames[static_cast<std::size_t>(slice->plane()) + 1] = frame;
@@ -35,6 +36,10 @@ Views::Views(QWidget* window)
     connect(slice, &SliceView::crossToToolWanted, this, &Views::crossToToolWanted);
     connect(frame, &ViewFrame::menuWanted, this,
             [this, slice](QPoint at) { slices_->openMenu(*slice, at); });
+    slice->setButtonRoom(frame->buttonRoom());
+    connect(frame, &ViewFrame::fitWanted, slice, &SliceView::fitBody);
+    connect(frame, &ViewFrame::followWanted, slices_, &SliceSet::setFollowing);
+    connect(slices_, &SliceSet::followingChanged, frame, &ViewFrame::setFollowing);
   }
   for (const ViewFrame* frame : frames)
     connect(frame, &ViewFrame::hintsUnwanted, this, &Views::hintsUnwanted);
