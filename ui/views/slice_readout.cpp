@@ -171,7 +171,7 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
             readout.colour, kTextPixels, true);
   const QString number = readout.place.section(QStringLiteral("   "), 0, 0);
   const QString at = readout.place.section(QStringLiteral("   "), 1);
-  if (top.place(number, Left, ink)) top.place(at, Right, ink);
+  const bool above = top.place(number, Left, ink) && top.place(at, Right, ink);
 
   foot.place(readout.grey, Left, ink);
   foot.place(readout.value, Right, ink);
@@ -189,7 +189,7 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   if (!said) foot.place(readout.slab, Right, ink);
   if (!last.place(readout.note, Right, style::kViewAttention))
     foot.place(readout.note, Right, style::kViewAttention);
-  last.place(readout.position, Right, ink);
+  last.place(above || !readout.position.isEmpty() ? readout.position : at, Right, ink);
   return layout;
 }
 

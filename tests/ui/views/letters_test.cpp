@@ -25,6 +25,7 @@
 #include "tests/support/dicom_bytes.h"
 #include "tests/support/sentence.h"
 #include "tests/ui/window_support.h"
+#include "ui/views/slice_readout.h"
 #include "ui/views/slice_view.h"
 #include "ui/views/volume_view.h"
 
@@ -159,7 +160,7 @@ bool letterColoured(QColor c) {
 /// What a slice has around its picture, where its letters are.
 QImage marginOf(const QImage& slice) {
   QImage margin = slice;
-  QPainter(&margin).fillRect(slice.rect().adjusted(28, 20, -28, -20), Qt::black);
+  QPainter(&margin).fillRect(ui::pictureIn(slice.rect(), false), Qt::black);
   return margin;
 }
 // brighter than the name of the plane
