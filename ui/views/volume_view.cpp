@@ -420,7 +420,7 @@ void VolumeView::zoom(double factor, QPointF at) {
 
 void VolumeView::tellPointed() {
   QString words;
-  const auto met = underMouse() && !grasp_ ? surfaceUnder(last_mouse_) : std::nullopt;
+  const auto met = pointer_in_ && !grasp_ ? surfaceUnder(last_mouse_) : std::nullopt;
   if (met && touched_.value && picture().volume != nullptr)
     words = intensityWords(touched_.value(met->p_W), *picture().volume) + QStringLiteral("   ") +
             positionWords(met->p_W * kMmPerM, orientation_known_);

@@ -250,6 +250,7 @@ void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->position() - last_mouse_;
   last_mouse_ = event->position();
+  pointer_in_ = true;
   if (!pointed_.isActive()) pointed_.start();
   if (overlays_.move(*geometry_, *event)) return;
   if (grasp_)
@@ -415,6 +416,7 @@ void VolumeView::hold(Action action, bool on, quint32 place) {
 }
 
 void VolumeView::leaveEvent(QEvent* event) {
+  pointer_in_ = false;
   if (!pointed_.isActive()) pointed_.start();
   Viewport::leaveEvent(event);
 }

@@ -22,6 +22,7 @@
 #include "tests/ui/window_support.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/main_window.h"
+#include "ui/window/view_frame.h"
 #include "ui/window/view_layout.h"
 #include "ui/window/views.h"
 
