@@ -46,11 +46,10 @@ constexpr std::pair<ui::Arrangement, const char*> kArrangements[] = {
     {ui::Arrangement::SlicesLarge, "slices_large"}};
 constexpr std::pair<ui::Interpolation, const char*> kInterpolations[] = {
     {ui::Interpolation::Linear, "linear"}, {ui::Interpolation::Nearest, "nearest"}};
-constexpr std::pair<ui::SlabKind, const char*> kSlabs[] = {
-    {ui::SlabKind::None, "none"},
-    {ui::SlabKind::Maximum, "maximum"},
-    {ui::SlabKind::Mean, "mean"},
-    {ui::SlabKind::Minimum, "minimum"}};
+constexpr std::pair<ui::SlabKind, const char*> kSlabs[] = {{ui::SlabKind::None, "none"},
+                                                           {ui::SlabKind::Maximum, "maximum"},
+                                                           {ui::SlabKind::Mean, "mean"},
+                                                           {ui::SlabKind::Minimum, "minimum"}};
 constexpr std::pair<ui::SurfaceColours, const char*> kColours[] = {
     {ui::SurfaceColours::Ivory, "ivory"},
     {ui::SurfaceColours::Tissue, "tissue"},

@@ -30,7 +30,8 @@ inline constexpr Row kExports[] = {
      "\"%1\" cannot be written; check that its folder exists, may be written to and has room.",
      "unwritable"},
     {"film-no-ffmpeg",
-     "There is no ffmpeg, which makes MP4 films; install the package ffmpeg, or let the film's name "
+     "There is no ffmpeg, which makes MP4 films; install the package ffmpeg, or let the film's "
+     "name "
      "end in .ogv.",
      "encoder"},
     {"film-other-name",

@@ -214,9 +214,8 @@ QImage Slice::picture(const GreyWindow& grey) const {
   for (int y = 0; y < size_.height(); ++y) {
     uchar* out = image.scanLine(y);
     for (int x = 0; x < size_.width(); ++x, ++in)
-      out[x] = *inside++ == 0
-                   ? 0  // black in every window
-                   : static_cast<uchar>(std::clamp((*in - black) * scale, 0.0F, 255.0F));
+      out[x] = *inside++ == 0 ? 0  // black in every window
+                              : static_cast<uchar>(std::clamp((*in - black) * scale, 0.0F, 255.0F));
   }
   return image;
 }
@@ -227,9 +226,8 @@ std::vector<int> Slice::bodyBefore(int cell, QSize cells) const {
   const double least = bodyFrom(*volume_);
   for (int y = 0; y < size_.height() && y / cell < cells.height(); ++y)
     for (int x = 0; x < size_.width() && x / cell < cells.width(); ++x) {
-      const std::size_t i =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width()) +
-          static_cast<std::size_t>(x);
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width()) +
+                            static_cast<std::size_t>(x);
       if (inside_[i] != 0 && values_[i] >= least)
         sums[static_cast<std::size_t>((y / cell + 1) * w + x / cell + 1)] = 1;
     }

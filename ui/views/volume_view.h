@@ -209,7 +209,8 @@ class VolumeView : public Viewport, public Spoken {
   std::optional<haptics::Pose> hand_target_;
   QPointF last_mouse_, press_;
   QTimer still_{this};
-  QTimer pointed_{this};       ///< runs after the pointer moved
+  QTimer pointed_{this};  ///< runs after the pointer moved
+  bool pointer_in_ = false;
   bool fine_awaited_ = false;  ///< a finer mesh is being made
   TouchedSurface touched_;
   std::unique_ptr<ViewGeometry> geometry_;

@@ -298,7 +298,8 @@ void ViewFrame::keepCardClear() {
   card_->setVisible(holds(kRoomForCard));
   card_->setCompact(!holds(kRoomForPlot));
   const auto isFree = [&](std::size_t corner, bool folded) {
-    const QRect part = cardIn(corner, folded).adjusted(-kAboutCard, -kAboutCard, kAboutCard, kAboutCard);
+    const QRect part =
+        cardIn(corner, folded).adjusted(-kAboutCard, -kAboutCard, kAboutCard, kAboutCard);
     return !taken_(part.translated(-view_->pos()));
   };
   bool folded = true;

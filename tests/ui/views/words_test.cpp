@@ -33,7 +33,7 @@ using ui::Plane;
 using ui::style::Theme;
 
 /// A head of 1 mm voxels about the origin, with skin, skull and brain, in air.
-std::shared_ptr<const haptics::Volume> head() {
+std::shared_ptr<const haptics::Volume> wordyHead() {
   haptics::Grid grid;
   grid.dims = {120, 130, 110};
   grid.spacing = Vec3::Constant(2e-3);
@@ -94,9 +94,9 @@ bool meetsBody(const ui::SliceView& view, const haptics::Volume& volume, const Q
 class Words : public testing::Test {
  protected:
   ~Words() override {
-    ui::speak("en");
+    ui::setLanguage("en");
     QLocale::setDefault(QLocale::c());
-    ui::style::dress(*qApp, Theme::Dark);
+    ui::style::applyTheme(*qApp, Theme::Dark);
   }
 
   void expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name);
@@ -147,7 +147,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
   const ui::Picture picture = ui::pictureOf(volume);
   int boxes = 0;
   for (const char* language : {"en", "de"}) {
-    ui::speak(language);
+    ui::setLanguage(language);
     ui::MainWindow window;
     window.views().volume().setSurfaceWish(ui::SurfaceMode::Mesh);
     window.show(picture, 300.0, "Head");
@@ -166,7 +166,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
          {ui::MeasureKind::Note, "here", {c}}});
     window::showAndWait(window, {1280, 840});
     for (const Theme theme : {Theme::Dark, Theme::Light, Theme::HighContrast}) {
-      ui::style::dress(*qApp, theme);
+      ui::style::applyTheme(*qApp, theme);
       for (const auto& [arrangement, words] : {std::pair{Arrangement::FourUp, "four_up"},
                                                std::pair{Arrangement::VolumeLarge, "volume"},
                                                std::pair{Arrangement::SlicesLarge, "slices"}}) {
@@ -201,7 +201,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
   EXPECT_GT(boxes, 500);
 }
 
-TEST_F(Words, StandOverNoBodyNoHandleAndNoOtherWords) { expectApart(head(), "made"); }
+TEST_F(Words, StandOverNoBodyNoHandleAndNoOtherWords) { expectApart(wordyHead(), "made"); }
 
 TEST_F(Words, StandOverNoBodyInARealScanEither) {
   const std::filesystem::path place =
