@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
@@ -22,6 +23,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/window/scan/shared_state.h"
+#include "app/window/views/grey_keeper.h"
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/field/scalar_field.h"
@@ -443,6 +446,56 @@ TEST(Slices, TakePresetsByNumberKeysAndTypedNumbers) {
   const double width = w.slices().grey().width;
   QTest::keyClick(&axial, Qt::Key_1);
   EXPECT_EQ(w.slices().grey().width, width);
+}
+
+TEST(Slices, TakeTheGreyWindowOfTheirScanAgain) {
+  Window w;
+  app::SharedState shared;
+  app::GreyKeeper keeper(w.slices(), shared);
+  const auto show = [&](const char* place) {
+    shared.shown.emplace();
+    shared.shown->place = place;
+    w.window.show(ctPicture(), 300.0, "Ball");
+    keeper.showScene();
+  };
+  show("/scans/one");
+  QTest::keyClick(&w.window.views().slice(Plane::Axial), Qt::Key_3);
+  show("/scans/another");
+  EXPECT_EQ(w.slices().grey().width, 1600.0);
+  EXPECT_FALSE(keeper.kept());
+  show("/scans/one");
+  EXPECT_EQ(w.slices().grey().level, -600.0);
+  EXPECT_EQ(w.slices().grey().width, 1500.0);
+}
+
+TEST(Slices, TheSpaceViewSaysValueAndPlaceUnderThePointerToo) {
+  Window w;
+  const Vec3 p{0.001, -0.014, 0.002};
+  int asked = 0;
+  w.window.views().setTouched({.value = [](const Vec3&) { return 312.4; },
+                               .firstMet =
+                                   [&](const Vec3&, const Vec3&, double) {
+                                     ++asked;
+                                     return ui::SurfacePlace{p, Vec3::UnitY()};
+                                   }});
+  ui::VolumeView& view = w.window.views().volume();
+  const auto* plate = view.parentWidget()->findChild<QLabel*>("pointed");
+  ASSERT_NE(plate, nullptr);
+  EXPECT_FALSE(plate->isVisible());
+  const auto move = [&](QPointF at) {
+    QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton, {});
+    QCoreApplication::sendEvent(&view, &event);
+  };
+  for (int n = 0; n < 100; ++n) move({200.0 + n, 150.0});
+  EXPECT_EQ(asked, 0);  // not for every move
+  ASSERT_TRUE(window::waitFor([&] { return plate->isVisible(); }));
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(plate->text(), "312 HU   L 1.0  A 14.0  S 2.0 mm");
+  QTest::qWait(250);
+  EXPECT_EQ(asked, 1);  // nothing is asked while the pointer rests
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(&view, &leave);
+  EXPECT_TRUE(window::waitFor([&] { return !plate->isVisible(); }));
 }
 
 TEST(Slices, FitTheBodyAtFirstByKeyAndByButton) {

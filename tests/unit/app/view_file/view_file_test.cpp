@@ -160,7 +160,7 @@ TEST(ViewFile, KeepsEveryWordAndTheEndsOfTheThickness) {
   }
   view.look.voxels.interpolation = ui::Interpolation::Linear;
   EXPECT_EQ(again().voxels.interpolation, ui::Interpolation::Linear);
-  for (const auto slab : {ui::SlabKind::None, ui::SlabKind::Maximum}) {
+  for (const auto slab : {ui::SlabKind::None, ui::SlabKind::Maximum, ui::SlabKind::Minimum}) {
     view.look.voxels.slab = slab;
     EXPECT_EQ(again().voxels.slab, slab);
   }
