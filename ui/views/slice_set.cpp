@@ -359,6 +359,7 @@ void SliceSet::replace(const Picture& picture) {
 void SliceSet::show(const haptics::TriangleMesh& tool) {
   const auto mesh = std::make_shared<const haptics::TriangleMesh>(tool);
   tip_T_ = tipOf(tool);
+  followed_mm_.reset();
   for (SliceView* slice : slices_) slice->setMesh(mesh);
   placeOblique();
 }
@@ -389,7 +390,9 @@ void SliceSet::moveCross(const Eigen::Vector3d& cross_W_mm) {
 
 void SliceSet::display(const haptics::Snapshot& snapshot) {
   X_WP_ = snapshot.X_WP;
-  if (!followed_mm_) followed_mm_ = tip_mm();
+  // in another scene the tool begins elsewhere
+  if (!followed_mm_ || snapshot.scene != scene_) followed_mm_ = tip_mm();
+  scene_ = snapshot.scene;
   for (SliceView* slice : slices_) slice->setTool(snapshot.X_WP, snapshot.X_WD);
   followTool();
   if (!obliqueShown()) return;

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -110,6 +111,7 @@ class SliceSet : public QObject {
   QAction* follow_ = nullptr;
   std::optional<Eigen::Vector3d> followed_mm_;  ///< where the tip was when the crosshair went to it
   bool held_ = false;                           ///< the user moved the crosshair since
+  std::uint64_t scene_ = 0;                     ///< of the last snapshot
   QTimer follow_pause_;                         ///< runs after the crosshair went with the tool
   bool along_ = false;     ///< the oblique plane holds the tool's axis, else it is normal to it
   double depth_mm_ = 0.0;  ///< of the oblique plane from the tip, along its normal

@@ -231,8 +231,10 @@ void SliceView::setTool(const haptics::Pose& X_WP, const haptics::Pose& X_WD) {
 
 QRect SliceView::pictureRect() const { return pictureIn(rect(), plane_ == Plane::Oblique); }
 
-ReadoutLayout SliceView::readoutLayout() const {
-  return layOut(readout(), font(), rect(), pictureRect(), button_room_, mmPerPixel());
+ReadoutLayout SliceView::readoutLayout(const QString& note) const {
+  SliceReadout said = readout();
+  said.note = note;
+  return layOut(said, font(), rect(), pictureRect(), button_room_, mmPerPixel());
 }
 
 bool SliceView::showsBody(const QRectF& box) const {

@@ -89,7 +89,7 @@ class SliceView : public QWidget, public Spoken {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> contour_W_mm() const;
   /// What is written on the margin, and where.
   SliceReadout readout() const;
-  ReadoutLayout readoutLayout() const;
+  ReadoutLayout readoutLayout(const QString& note = {}) const;
   /// Whether the picture, as it was last cut, shows some of the body in a box.
   bool showsBody(const QRectF& box) const;
   QSize sizeHint() const override { return {300, 260}; }

@@ -144,9 +144,7 @@ void SliceView::draw(QPainter& painter, const QString& note) {
   overlays_.paint(painter, *geometry_);
   painter.setClipping(false);
   painter.setRenderHint(QPainter::Antialiasing, false);
-  SliceReadout said = readout();
-  said.note = note;
-  drawReadout(painter, layOut(said, font(), rect(), picture, button_room_, mmPerPixel()));
+  drawReadout(painter, readoutLayout(note));
 }
 
 void SliceView::drawCrossedPlanes(QPainter& painter) const {

@@ -33,7 +33,7 @@ using ui::Plane;
 using ui::style::Theme;
 
 /// A head of 1 mm voxels about the origin, with skin, skull and brain, in air.
-std::shared_ptr<const haptics::Volume> wordyHead() {
+std::shared_ptr<const haptics::Volume> madeHead() {
   haptics::Grid grid;
   grid.dims = {120, 130, 110};
   grid.spacing = Vec3::Constant(2e-3);
@@ -49,9 +49,9 @@ std::shared_ptr<const haptics::Volume> wordyHead() {
 }
 
 /// Knows how overlays see a view.
-class Seen : public ui::Overlay {
+class SeenByOverlays : public ui::Overlay {
  public:
-  explicit Seen(const ui::Measures& measures) : measures_(measures) {}
+  explicit SeenByOverlays(const ui::Measures& measures) : measures_(measures) {}
   void paint(QPainter&, const ui::ViewGeometry& view) const override {
     labels[&view.widget()] = measures_.labelsIn(view);
     handles[&view.widget()].clear();
@@ -67,7 +67,7 @@ class Seen : public ui::Overlay {
   const ui::Measures& measures_;
 };
 
-struct Box {
+struct WordBox {
   std::string what;
   QRectF box;
 };
@@ -100,11 +100,13 @@ class Words : public testing::Test {
   }
 
   void expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name);
-  static int expectApartIn(ui::SliceView& view, const haptics::Volume& volume, const Seen& seen);
+  static int expectApartIn(ui::SliceView& view, const haptics::Volume& volume,
+                           const SeenByOverlays& seen);
 };
 
-int Words::expectApartIn(ui::SliceView& view, const haptics::Volume& volume, const Seen& seen) {
-  std::vector<Box> boxes;
+int Words::expectApartIn(ui::SliceView& view, const haptics::Volume& volume,
+                         const SeenByOverlays& seen) {
+  std::vector<WordBox> boxes;
   const ui::ReadoutLayout layout = view.readoutLayout();
   for (const ui::ReadoutText& text : layout.texts) {
     boxes.push_back({text.text.toStdString(), text.box});
@@ -153,7 +155,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
     window.show(picture, 300.0, "Head");
     window.views().show(window::octahedron(0.006));
     ui::Measures measures;
-    Seen seen(measures);
+    SeenByOverlays seen(measures);
     window.views().addOverlay(seen);
     window.views().addOverlay(measures);
     measures.setScan({.grid = volume->grid});
@@ -201,7 +203,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
   EXPECT_GT(boxes, 500);
 }
 
-TEST_F(Words, StandOverNoBodyNoHandleAndNoOtherWords) { expectApart(wordyHead(), "made"); }
+TEST_F(Words, StandOverNoBodyNoHandleAndNoOtherWords) { expectApart(madeHead(), "made"); }
 
 TEST_F(Words, StandOverNoBodyInARealScanEither) {
   const std::filesystem::path place =
