@@ -109,7 +109,7 @@ std::vector<SeriesVerdict> verdictsOf(const fs::path& path, const VolumeFormat& 
     SeriesVerdict verdict = header ? verdictOf((*header)->stored()) : refusalOf(header.error());
     if (count > 1)
       verdict.message = {"volume-numbered",
-                         {std::to_string(number), std::to_string(count), verdict.message}};
+                         {std::to_string(number + 1), std::to_string(count), verdict.message}};
     verdict.found = std::make_shared<Found>(
         Found{VolumeInFile{path, static_cast<int>(number), header ? *header : nullptr}});
     verdicts.push_back(std::move(verdict));

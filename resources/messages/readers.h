@@ -442,7 +442,7 @@ inline constexpr Row kReaders[] = {
      "orientation-unknown"},
     {"volume-spacing-unknown", "The file states no spacing: voxels of 1 mm are assumed.",
      "orientation-unknown"},
-    {"volume-numbered", "Volume %1 of %2, counted from 0. %3"},
+    {"volume-numbered", "Volume %1 of %2. %3"},
     {"series-listed", "%1 is %2, %3, %4 mm"},
     {"series-listed-correctable", "%1 is %2, %3, %4 mm, correctable (%5)"},
     {"series-listed-refused", "%1 is %2, %3, refused (%4)"},

@@ -188,7 +188,7 @@ TEST(Access, TheOtherWindowsSayTheirControls) {
 TEST(Access, TooltipsEndWithTheKey) {
   WholeWindow whole;
   const std::pair<const char*, ui::Action> buttons[] = {
-      {"openFileButton", ui::Action::OpenFile},
+      {"openFolderButton", ui::Action::OpenFolder},
       {"undoButton", ui::Action::Undo},
       {"redoButton", ui::Action::Redo},
       {"undoEdit", ui::Action::Undo},
@@ -265,7 +265,7 @@ TEST(Access, TabReachesEveryControlFromLeftToRightAndDown) {
     // bar, tabs, panels, views, status bar
     const auto at = [&](const QWidget* part) { return std::ranges::find(reached, part); };
     const auto* stop = whole.window().findChild<QWidget*>("forceOff");
-    const auto* open = whole.window().findChild<QWidget*>("openFileButton");
+    const auto* open = whole.window().findChild<QWidget*>("openFolderButton");
     const auto* details = whole.window().findChild<QWidget*>("details");
     EXPECT_LT(at(open), at(stop)) << tab << order;
     EXPECT_LT(at(stop), at(whole.window().findChild<QWidget*>(tab))) << tab << order;

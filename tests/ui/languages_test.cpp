@@ -293,6 +293,34 @@ TEST(Languages, AreTheUsersChoiceOrTheFirstThatTheSystemPrefers) {
 }
 
 /// The window speaks German.
+/// In one menu no letter of the keyboard stands for two entries.
+int expectLettersApart(const QList<QAction*>& entries, const QString& where) {
+  std::map<QString, QString> taken;
+  int letters = 0;
+  for (const QAction* entry : entries) {
+    if (const QMenu* menu = entry->menu())
+      letters += expectLettersApart(menu->actions(), where + " > " + entry->text());
+    const QString letter = QKeySequence::mnemonic(entry->text()).toString();
+    if (letter.isEmpty()) continue;
+    ++letters;
+    const auto [at, is_new] = taken.try_emplace(letter, entry->text());
+    EXPECT_TRUE(is_new) << where.toStdString() << ": " << at->second.toStdString() << ", "
+                        << entry->text().toStdString();
+  }
+  return letters;
+}
+
+TEST(Languages, NoLetterOpensTwoEntriesOfAMenu) {
+  for (const char* language : {"en", "de"}) {
+    ui::speak(language);
+    app::Application application(window::sphereInHand("mouse"));
+    const ui::MainWindow& window = application.window();
+    EXPECT_GT(expectLettersApart(window.menuBar()->actions(), language), 50);
+  }
+  ui::speak("en");
+  QLocale::setDefault(QLocale::c());
+}
+
 class German : public testing::Test {
  protected:
   German() { ui::setLanguage("de"); }

@@ -8,16 +8,21 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
+#include <QDir>
 #include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSplitter>
 #include <QStatusBar>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -31,6 +36,7 @@
 #include "tests/ui/panelled_window.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/section.h"
+#include "ui/controls/state_chip.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/style/style.h"
 #include "ui/views/volume_view.h"
@@ -378,6 +384,79 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
   for (const QLabel* label : t.window.findChildren<QLabel*>())
     said += label->isVisible() && label->text().contains("Force ", Qt::CaseInsensitive);
   EXPECT_EQ(said, 0);
+}
+
+TEST(MainWindow, TheStateOfTheForceHasTheDeviceAndItsRateBesideIt) {
+  ui::MainWindow window;
+  const auto& chip = window.bar().force();
+  window.touch().setHand("omega.6", ui::Feel::Felt);
+  EXPECT_EQ(chip.detail(), "omega.6");
+  haptics::Snapshot snapshot;
+  snapshot.policy = haptics::SchedulingPolicy::RealTime;
+  snapshot.force_state = haptics::ForceState::On;
+  snapshot.servo_rate = 998.7;
+  window.touch().display(snapshot);
+  EXPECT_EQ(chip.text(), "Force on");
+  EXPECT_EQ(chip.detail(), "omega.6 · 1 kHz");
+  window::showAndWait(window, {1280, 800});
+  EXPECT_GE(chip.width(), chip.sizeHint().width());
+  window::keep(window::pictureOf(window), "force_chip");
+}
+
+TEST(MainWindow, TheMeansOfDrawingTheSurfaceIsMarked) {
+  ui::MainWindow window;
+  const QList<QAction*> means = window.findChild<QMenu*>("surfaceMenu")->actions();
+  ASSERT_EQ(means.size(), 3);
+  for (QAction* chosen : {means[0], means[2], means[1]}) {
+    if (chosen != means[0]) chosen->trigger();
+    for (const QAction* one : means) EXPECT_EQ(one->isChecked(), one == chosen);
+  }
+}
+
+TEST(MainWindow, SaysThatWhatIsDraggedOverItWillOpen) {
+  ui::MainWindow window;
+  window::showAndWait(window, {1000, 700});
+  const auto* area = window.findChild<QWidget*>("dropArea");
+  EXPECT_FALSE(area->isVisible());
+  QMimeData words, file;
+  words.setText("no file");
+  file.setUrls({QUrl::fromLocalFile(QDir::tempPath())});
+  const auto enter = [&](const QMimeData& data) {
+    QDragEnterEvent event({500, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+  };
+  enter(words);
+  EXPECT_FALSE(area->isVisible());
+  enter(file);
+  EXPECT_TRUE(area->isVisible());
+  window::keep(window::pictureOf(window), "drop_area");
+  QDragLeaveEvent leave;
+  QCoreApplication::sendEvent(&window, &leave);
+  EXPECT_FALSE(area->isVisible());
+  enter(file);
+  QSignalSpy dropped(&window, &ui::MainWindow::dropped);
+  QDropEvent drop({500, 300}, Qt::CopyAction, &file, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &drop);
+  EXPECT_EQ(dropped.count(), 1);
+  EXPECT_FALSE(area->isVisible());
+}
+
+TEST(MainWindow, LooksForTheNextScanWhereTheLastOneLies) {
+  const QTemporaryDir folder;
+  ASSERT_TRUE(QDir(folder.path()).mkdir("scan"));
+  ui::MainWindow window;
+  window.menus().setPlace(folder.filePath("scan"));
+  for (const char* name : {"openFolder", "openFile"}) {
+    QString begins;
+    QTimer::singleShot(0, [&] {
+      if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+        begins = dialog->directory().absolutePath();
+        dialog->reject();
+      }
+    });
+    window.findChild<QAction*>(name)->trigger();
+    EXPECT_EQ(begins, QDir(folder.path()).absolutePath()) << name;
+  }
 }
 
 TEST(MainWindow, SaysThatItRecordsAsLongAsItDoes) {

@@ -13,6 +13,7 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <set>
 #include <thread>
 
 #include "app/application.h"
@@ -176,6 +178,24 @@ TEST_F(StartPage, AClickBesideTheButtonsOfACardIsOneOnTheFirst) {
   auto* demo = named<QPushButton>("startDemo");
   QTest::mouseClick(demo->parentWidget(), Qt::LeftButton, {}, {60, 60});
   EXPECT_TRUE(isTouched());
+}
+
+TEST_F(StartPage, CardsStandBelowEachOtherWhereThereIsNoRoomBeside) {
+  ui::StartPage page;
+  const auto placeOf = [&](const char* button) {
+    return page.findChild<QWidget*>(button)->mapTo(&page, QPoint{});
+  };
+  int rows = 0;
+  for (const int width : {1100, 700, 380}) {
+    window::showAndWait(page, {width, 700});
+    window::keep(window::pictureOf(page), qPrintable(QString("start_page_%1").arg(width)));
+    std::set<int> tops;
+    for (const char* button : {"startFolder", "startDemo", "startDevice"})
+      tops.insert(placeOf(button).y() / 20);
+    EXPECT_GT(int(tops.size()), rows) << width;
+    rows = int(tops.size());
+    EXPECT_EQ(page.horizontalScrollBar()->maximum(), 0) << width;
+  }
 }
 
 TEST_F(StartPage, IsLedByTheKeyboard) {
@@ -411,7 +431,7 @@ TEST_F(StartPage, TheTourShowsThreeControlsOnceAndHelpShowsItAgain) {
     return target.adjusted(-2, -2, 2, 2).intersects(bubble) && !target.intersects(bubble);
   };
   EXPECT_EQ(tour().step(), 0);
-  EXPECT_TRUE(beside(named<QToolButton>("openFileButton")));
+  EXPECT_TRUE(beside(named<QToolButton>("openFolderButton")));
   window::keep(window::pictureOf(window()), "tour_1");
   leavesTheFocus();
   // it opens the tab of its control when it comes to it, and not before

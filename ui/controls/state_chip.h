@@ -32,6 +32,7 @@ class StateChip : public QLabel, public Spoken {
   using QLabel::show;
   /// What stands behind the words and steps back, such as the hand.
   void setDetail(const QString& detail);
+  const QString& detail() const { return detail_; }
   Mark mark() const { return mark_; }
 
   QAccessible::Role spokenRole() const override { return QAccessible::Notification; }

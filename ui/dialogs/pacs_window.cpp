@@ -61,6 +61,38 @@ QString dateWords(const QString& date) {
   return day.isValid() ? QLocale().toString(day, QLocale::ShortFormat) : date;
 }
 
+/// A day, or a span of days, as an archive has it: "20240301-20240331". Days are taken as the
+/// desktop writes them, as 2024-03-01 and as 20240301; other text stays.
+QString storedDates(const QString& typed) {
+  const auto dayOf = [](const QString& words) {
+    QString format = QLocale().dateFormat(QLocale::ShortFormat);
+    if (!format.contains("yyyy")) format.replace("yy", "yyyy");
+    for (const QString& as : {format, QStringLiteral("yyyy-MM-dd"), QStringLiteral("yyyyMMdd")})
+      if (const QDate day = QLocale().toDate(words.trimmed(), as); day.isValid())
+        return day.toString(QStringLiteral("yyyyMMdd"));
+    return QString{};
+  };
+  const QString text = typed.trimmed();
+  if (const QString day = dayOf(text); !day.isEmpty()) return day;
+  // each hyphen may be the one between two days
+  for (qsizetype at = text.indexOf('-'); at >= 0; at = text.indexOf('-', at + 1)) {
+    const QString first = text.left(at).trimmed(), last = text.mid(at + 1).trimmed();
+    const QString from = dayOf(first), until = dayOf(last);
+    if ((first.isEmpty() || !from.isEmpty()) && (last.isEmpty() || !until.isEmpty()) &&
+        !(first.isEmpty() && last.isEmpty()))
+      return from + '-' + until;
+  }
+  return text;
+}
+
+/// As a user of this desktop would type it.
+QString exampleOfDates() {
+  QString format = QLocale().dateFormat(QLocale::ShortFormat);
+  if (!format.contains("yyyy")) format.replace("yy", "yyyy");
+  const auto words = [&](int day) { return QLocale().toString(QDate(2024, 3, day), format); };
+  return words(1) + " - " + words(31);
+}
+
 QString countWords(const std::optional<qint64>& count) {
   return count ? QLocale().toString(*count) : QString{};
 }
@@ -274,9 +306,11 @@ QWidget* PacsWindow::buildSearch() {
   patient_name_ =
       line("pacsPatientName", tr("Patient's name"), tr("FAMILY^GIVEN, as in the archive") + wild);
   accession_ = line("pacsAccession", tr("Accession number"), tr("The number of the order") + wild);
-  date_ = line("pacsDate", tr("Date"),
-               tr("A day as 20240305, or a span as 20240301-20240331, either end left out"));
-  date_->setPlaceholderText(QStringLiteral("20240301-20240331"));
+  date_ =
+      line("pacsDate", tr("Date"),
+           tr("A day, or the first and the last with a hyphen between them, either left out: %1")
+               .arg(exampleOfDates()));
+  date_->setPlaceholderText(exampleOfDates());
   modality_ = new QComboBox;
   modality_->setObjectName("pacsModality");
   modality_->setAccessibleName(tr("Modality"));
@@ -483,7 +517,7 @@ bool PacsWindow::namesWanted() const { return names_wanted_->isChecked(); }
 
 PacsQuery PacsWindow::query() const {
   return {patient_id_->text().trimmed(), patient_name_->text().trimmed(),
-          accession_->text().trimmed(), date_->text().trimmed(),
+          accession_->text().trimmed(), storedDates(date_->text()),
           modality_->currentData().toString()};
 }
 

@@ -32,9 +32,16 @@ double areaOf(const QPolygonF& line) {
 
 void Lasso::setActive(bool active) {
   active_ = active;
+  asks_ = false;
   line_.clear();
   corners_mm_.clear();
   on_ = nullptr;
+  emit changed();
+}
+
+void Lasso::setAsks(bool asks) {
+  if (asks == asks_) return;
+  asks_ = asks;
   emit changed();
 }
 
@@ -128,6 +135,10 @@ void Lasso::cut(const ViewGeometry& view, const QPolygonF& line) {
 
 bool Lasso::key(const ViewGeometry&, const QKeyEvent& event) {
   const Binding* meaning = meaningOf(Where::View, event, Gesture::Key, Over::Editing);
+  if (active_ && asks_ && meaning != nullptr && meaning->action == Action::SetPlaceOfEdit) {
+    emit confirmed();
+    return true;
+  }
   const bool back = meaning != nullptr && meaning->action == Action::TakeCornerBack;
   if (!active_ || !back || corners_mm_.empty()) return false;
   corners_mm_.pop_back();
@@ -137,8 +148,11 @@ bool Lasso::key(const ViewGeometry&, const QKeyEvent& event) {
 
 QString Lasso::hint() const {
   if (!active_) return {};
-  return tr("Drag: draws the outline that cuts. Or click, or %1 at the crosshair: sets a corner; "
-            "at the last one again: cuts. %2: takes it back.")
+  if (asks_)
+    return tr("%1: cuts what is hatched. Escape: keeps it. Drag: draws another outline.")
+        .arg(keyOf(Action::SetPlaceOfEdit));
+  return tr("Drag: draws the outline of a cut. Or click, or %1 at the crosshair: sets a corner; "
+            "at the last one again: closes it. %2: takes it back.")
       .arg(keyOf(Action::SetPlaceOfEdit), keyOf(Action::TakeCornerBack));
 }
 

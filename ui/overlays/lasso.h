@@ -27,6 +27,8 @@ class Lasso : public Overlay {
 
   void setActive(bool active);
   bool isActive() const { return active_; }
+  /// Whether what an outline takes is shown: then the key that sets a corner confirms it.
+  void setAsks(bool asks);
 
   void paint(QPainter& painter, const ViewGeometry& view) const override;
   bool press(const ViewGeometry& view, const QMouseEvent& event) override;
@@ -40,6 +42,7 @@ class Lasso : public Overlay {
 
  signals:
   void drawn(const ui::DrawnOutline& outline);
+  void confirmed();
 
  private:
   void setCorner(const ViewGeometry& view, QPointF at);
@@ -47,6 +50,7 @@ class Lasso : public Overlay {
   void cut(const ViewGeometry& view, const QPolygonF& line);
 
   bool active_ = false;
+  bool asks_ = false;
   const QWidget* on_ = nullptr;              ///< on which it is drawn; only compared
   QPolygonF line_;                           ///< of a drag, pixels
   std::vector<Eigen::Vector3d> corners_mm_;  ///< of clicks, in a plane parallel to the picture, W

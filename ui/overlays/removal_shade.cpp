@@ -5,7 +5,6 @@
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ui/overlays/marks_style.h"
 #include "ui/props/picture.h"
@@ -16,12 +15,12 @@ namespace {
 
 constexpr std::int64_t kMostCells = 1'500'000;
 constexpr int kCoarse = 2;  // pixels of the widget along a pixel of the body's picture
-constexpr int kAlpha = 110, kBodyAlpha = 190;
+constexpr int kFillAlpha = 100, kHatchAlpha = 190, kEdgeAlpha = 255;
+constexpr int kHatch = 12, kHatchWidth = 4;  // pixels
+constexpr uchar kBeside = 1, kWithin = 2;    // parts of a picture
 
-QRgb premultiplied(double shade, int alpha) {
-  const auto part = [&](int c) { return static_cast<int>(c * shade * alpha / 255.0); };
-  return qRgba(part(style::kGoes.red()), part(style::kGoes.green()), part(style::kGoes.blue()),
-               alpha);
+QRgb premultiplied(int alpha) {
+  return qPremultiply(qRgba(style::kGoes.red(), style::kGoes.green(), style::kGoes.blue(), alpha));
 }
 
 }  // namespace
@@ -66,22 +65,14 @@ void MarkedVoxels::finish() {
         const haptics::Vec3 index{static_cast<double>(I * factor_) + middle,
                                   static_cast<double>(J * factor_) + middle,
                                   static_cast<double>(K * factor_) + middle};
-        // a wider look makes the shading smooth
-        Eigen::Vector3d out = Eigen::Vector3d::Zero();
-        for (int a = -2; a <= 2; ++a)
-          for (int b = -2; b <= 2; ++b)
-            for (int c = -2; c <= 2; ++c)
-              if (filled(I + a, J + b, K + c) > 0.0F) out -= Eigen::Vector3d(a, b, c);
-        out = grid_.direction * out;
-        surface_.push_back({(grid_.worldOf(index) * kMmPerM).cast<float>(),
-                            out.norm() > 0.0 ? Eigen::Vector3f(out.normalized().cast<float>())
-                                             : Eigen::Vector3f::Zero()});
+        surface_.push_back((grid_.worldOf(index) * kMmPerM).cast<float>());
       }
   filled_ = {};
 }
 
-void RemovalShade::show(std::shared_ptr<const MarkedVoxels> voxels) {
+void RemovalShade::show(std::shared_ptr<const MarkedVoxels> voxels, Fate fate) {
   voxels_ = std::move(voxels);
+  fate_ = fate;
   body_ = {};
   emit changed();
 }
@@ -91,27 +82,54 @@ void RemovalShade::paint(QPainter& painter, const ViewGeometry& view) const {
   const Projection camera = projectionOf(view);
   const QSize size = view.widget().size();
   if (view.isSlice()) {
-    painter.drawImage(QRect({}, size), sliceOf(camera, size));
+    painter.drawImage(QRect({}, size), shaded(sliceOf(camera, size)));
     return;
   }
   if (body_.isNull() || !(body_camera_ == camera)) {
-    body_ = bodyOf(camera, size / kCoarse);
+    const QImage parts = bodyOf(camera, size / kCoarse);
+    body_ = shaded(parts.scaled(parts.size() * kCoarse));
     body_camera_ = camera;
   }
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(QRectF(0, 0, body_.width() * kCoarse, body_.height() * kCoarse), body_);
+  painter.drawImage(QPoint{}, body_);
+}
+
+QImage RemovalShade::shaded(const QImage& parts) const {
+  const int width = parts.width(), height = parts.height();
+  QImage image(parts.size(), QImage::Format_ARGB32_Premultiplied);
+  const uchar hatched = fate_ == Fate::Goes ? kWithin : fate_ == Fate::Stays ? kBeside : uchar{255};
+  const QRgb fill = premultiplied(kFillAlpha), hatch = premultiplied(kHatchAlpha),
+             edge = premultiplied(kEdgeAlpha);
+  for (int y = 0; y < height; ++y) {
+    auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
+    const uchar* row = parts.constScanLine(y);
+    const uchar* above = parts.constScanLine(std::max(0, y - 2));
+    const uchar* below = parts.constScanLine(std::min(height - 1, y + 2));
+    for (int x = 0; x < width; ++x) {
+      const uchar part = row[x];
+      const auto ends = [&](uchar beside) { return beside != kWithin; };
+      out[x] = 0;
+      if (part == kWithin &&
+          (ends(row[std::max(0, x - 2)]) || ends(row[std::min(width - 1, x + 2)]) ||
+           ends(above[x]) || ends(below[x])))
+        out[x] = edge;
+      else if (part == hatched)
+        out[x] = (x + y) % kHatch < kHatchWidth ? hatch : fill;
+      else if (part == kWithin && fate_ == Fate::Chosen)
+        out[x] = fill;
+    }
+  }
+  return image;
 }
 
 QImage RemovalShade::sliceOf(const Projection& camera, QSize size) const {
-  QImage image(size, QImage::Format_ARGB32_Premultiplied);
+  QImage parts(size, QImage::Format_Grayscale8);
   const haptics::Grid& grid = voxels_->grid();
-  const QRgb colour = premultiplied(1.0, kAlpha);
   const auto indexAt = [&](double x, double y) {
     const auto [u, v] = camera.acrossOf({x, y});
     return grid.indexOf((camera.eye + camera.axes.col(0) * u + camera.axes.col(1) * v) / kMmPerM);
   };
   for (int y = 0; y < size.height(); ++y) {
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+    uchar* line = parts.scanLine(y);
     const haptics::Vec3 first = indexAt(0.5, y + 0.5);
     const haptics::Vec3 step = indexAt(1.5, y + 0.5) - first;
     for (int x = 0; x < size.width(); ++x) {
@@ -120,20 +138,31 @@ QImage RemovalShade::sliceOf(const Projection& camera, QSize size) const {
                                           std::llround(at.z())};
       const bool within = n[0] >= 0 && n[1] >= 0 && n[2] >= 0 && n[0] < grid.dims[0] &&
                           n[1] < grid.dims[1] && n[2] < grid.dims[2];
-      line[x] = within && voxels_->has(n[0], n[1], n[2]) ? colour : 0;
+      line[x] = !within ? uchar{0} : voxels_->has(n[0], n[1], n[2]) ? kWithin : kBeside;
     }
   }
-  return image;
+  return parts;
 }
 
 QImage RemovalShade::bodyOf(const Projection& camera, QSize size) const {
-  QImage image(size, QImage::Format_ARGB32_Premultiplied);
-  image.fill(Qt::transparent);
-  std::vector<float> depth(static_cast<std::size_t>(size.width()) * size.height(),
-                           std::numeric_limits<float>::infinity());
-  const Eigen::Vector3d towards = camera.axes.col(2);
-  for (const MarkedVoxels::Point& point : voxels_->surface()) {
-    const Eigen::Vector3d p = point.p_W_mm.cast<double>();
+  QImage parts(size, QImage::Format_Grayscale8);
+  parts.fill(0);
+  const haptics::Grid& grid = voxels_->grid();
+  if (fate_ == Fate::Stays) {
+    const BoxCorners corners = cornersOf_mm(grid, {{}, grid.dims});
+    QPainter painter(&parts);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(kBeside, kBeside, kBeside));
+    constexpr std::size_t kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                          {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+    for (const auto& face : kFaces) {
+      QPolygonF outline;
+      for (const std::size_t corner : face) outline << camera.of(corners[corner]) / kCoarse;
+      painter.drawPolygon(outline);
+    }
+  }
+  for (const Eigen::Vector3f& point : voxels_->surface()) {
+    const Eigen::Vector3d p = point.cast<double>();
     const double away = camera.depthOf(p);
     if (away <= 0.0 && !camera.parallel) continue;
     const QPointF at = camera.of(p) / kCoarse;
@@ -143,17 +172,10 @@ QImage RemovalShade::bodyOf(const Projection& camera, QSize size) const {
     const int x1 = std::min(size.width() - 1, static_cast<int>(std::floor(at.x() + across)));
     const int y0 = std::max(0, static_cast<int>(std::floor(at.y() - across)));
     const int y1 = std::min(size.height() - 1, static_cast<int>(std::floor(at.y() + across)));
-    const double facing = std::abs(towards.dot(point.out_W.cast<double>()));
-    const QRgb colour = premultiplied(0.35 + 0.65 * facing, kBodyAlpha);
-    for (int y = y0; y <= y1; ++y)
-      for (int x = x0; x <= x1; ++x) {
-        float& nearest = depth[static_cast<std::size_t>(y) * size.width() + x];
-        if (static_cast<float>(away) >= nearest) continue;
-        nearest = static_cast<float>(away);
-        image.setPixel(x, y, colour);
-      }
+    for (int y = y0; y <= y1 && x0 <= x1; ++y)
+      std::fill_n(parts.scanLine(y) + x0, x1 - x0 + 1, kWithin);
   }
-  return image;
+  return parts;
 }
 
 }  // namespace ui

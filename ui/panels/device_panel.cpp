@@ -112,7 +112,7 @@ DevicePanel::DevicePanel(QWidget* parent)
   form->addRow(effect_);
   auto* rare = new QFormLayout(details_);
   rare->setContentsMargins(0, 0, 0, 0);
-  rare->addRow(tr("Voxels"), fields_);
+  rare->addRow(tr("Surface"), fields_);
   showStiffness(1000.0);
 
   connect(hands_, &QComboBox::activated, this,

@@ -3,6 +3,7 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QFrame>
 #include <QGridLayout>
@@ -304,8 +305,10 @@ QWidget* EditPanel::scalpelPage() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(
-      hintLabel(tr("Draw an outline with the left button, in 3-D or on a slice. It "
-                   "cuts when you let go. Or click its corners; the last one twice.")));
+      hintLabel(tr("Draw an outline with the left button, in 3-D or on a slice, or click its "
+                   "corners; the last one twice. What it takes is shown before it is cut.")));
+  connect(depth_, &NumberBox::valueChanged, this, &EditPanel::scalpelChanged);
+  connect(side_, &QComboBox::currentIndexChanged, this, &EditPanel::scalpelChanged);
   column->addLayout(form);
   column->addStretch(1);
   return page;
@@ -319,8 +322,9 @@ QFrame* EditPanel::previewBar() {
   keep_->setToolTip(tr("Removes all but the piece that is shown"));
   remove_piece_ = buttonOf(tr("Remove this"), "removePiece");
   remove_piece_->setToolTip(tr("Removes the piece that is shown"));
+  // which of the two, before it is done
+  for (QPushButton* fate : {keep_, remove_piece_}) fate->installEventFilter(this);
   remove_ = buttonOf(tr("Remove"), "applyRemoval");
-  remove_->setToolTip(tr("Removes the parts shown"));
   auto* cancel = buttonOf(tr("Cancel"), "cancelPreview");
   cancel->setToolTip(tr("Keeps the parts shown"));
   connect(keep_, &QPushButton::clicked, this, &EditPanel::keepPieceWanted);
@@ -404,10 +408,24 @@ void EditPanel::emitPlaneNumbers() {
 
 void EditPanel::showPreview(const QString& words, EditConfirm confirm) {
   preview_words_->setText(words);
+  const bool cut = confirm == EditConfirm::Cut;
+  remove_->setText(cut ? tr("Cut") : tr("Remove"));
+  remove_->setToolTip(cut ? withKey(tr("Removes what is hatched"), Action::SetPlaceOfEdit)
+                          : tr("Removes the parts shown"));
   keep_->setVisible(confirm == EditConfirm::Piece);
   remove_piece_->setVisible(confirm == EditConfirm::Piece);
-  remove_->setVisible(confirm == EditConfirm::Removal);
+  remove_->setVisible(confirm != EditConfirm::Piece);
   preview_->show();
+}
+
+bool EditPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool keep = watched == keep_;
+  if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) {
+    preview_words_->setText(keep ? tr("Only this piece stays. What is hatched goes.")
+                                 : tr("This piece goes: it is hatched."));
+    emit fateShown(keep);
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void EditPanel::hidePreview() { preview_->hide(); }

@@ -32,7 +32,7 @@ struct CropRange {
 };
 
 /// What the user may do with what is previewed.
-enum class EditConfirm { Piece, Removal };
+enum class EditConfirm { Piece, Removal, Cut };
 
 /// How many edits there are, and where undo and redo lead.
 struct EditSteps {
@@ -82,16 +82,23 @@ class EditPanel : public QWidget {
   void planeFlipWanted();
   void planeNumbersChanged(double position_mm, double towards_deg, double raised_deg);
   void planeApplyWanted();
+  /// Depth or side of the scalpel.
+  void scalpelChanged();
   void smallWanted(double least_cm3);
   void holderWanted();
   void keepPieceWanted();
   void removePieceWanted();
+  /// The piece is to be shown as one of these would leave it.
+  void fateShown(bool keep);
   void removalWanted();
   void previewCancelled();
   void undoWanted();
   void redoWanted();
   void resetWanted();
   void waitCancelled();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QWidget* cropPage();

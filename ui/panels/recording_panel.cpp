@@ -168,9 +168,9 @@ QWidget* RecordingPanel::buildFigures() {
   grid->addWidget(record_, 0, 0, 1, 2);
   grid->addWidget(elapsed_, 0, 2, 1, 2, Qt::AlignRight);
   grid->addWidget(state_, 1, 0, 1, 4);
-  grid->addWidget(dim(tr("Samples")), 2, 0);
+  grid->addWidget(dim(tr("Recorded ticks")), 2, 0);
   grid->addWidget(samples_, 2, 1);
-  grid->addWidget(dim(tr("Gaps")), 2, 2);
+  grid->addWidget(dim(tr("Breaks")), 2, 2);
   grid->addWidget(gaps_, 2, 3, Qt::AlignRight);
   grid->addWidget(dim(tr("Size")), 3, 0);
   grid->addWidget(bytes_, 3, 1);

@@ -40,8 +40,8 @@ ReplayBar::ReplayBar(QWidget* parent)
   timeline_->setObjectName("replayTimeline");
   // both words fit, so nothing moves when they change
   play_->setMinimumWidth(play_->sizeHint().width());
-  auto* back = button("replayBack", tr("−1 tick"), {});
-  auto* forward = button("replayForward", tr("+1 tick"), {});
+  auto* back = button("replayBack", tr("Step back"), {});
+  auto* forward = button("replayForward", tr("Step on"), {});
   back->setAutoRepeat(true);
   forward->setAutoRepeat(true);
   back->setAccessibleName(tr("One tick back"));

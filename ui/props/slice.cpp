@@ -12,7 +12,7 @@
 namespace ui {
 namespace {
 
-constexpr double kSaid = 0.35;   // of a unit direction: a letter is said from 20 degrees on
+constexpr double kSaid = 0.5;    // of a unit direction: a letter is said from 30 degrees on
 constexpr int kMostLayers = 64;  // of a slab
 
 }  // namespace

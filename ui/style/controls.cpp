@@ -87,6 +87,12 @@ void drawButton(QPainter& painter, const QStyleOption& option, bool flat) {
   drawRound(painter, option.rect, kCorner, fill, edge, focus ? 2.0 : 1.0);
 }
 
+bool isEditorInList(const QWidget* widget) {
+  const QWidget* viewport = widget != nullptr ? widget->parentWidget() : nullptr;
+  return viewport != nullptr &&
+         qobject_cast<const QAbstractItemView*>(viewport->parentWidget()) != nullptr;
+}
+
 }  // namespace
 
 ControlStyle::ControlStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
@@ -134,8 +140,11 @@ void ControlStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* o
     case PE_PanelLineEdit:
     case PE_FrameLineEdit: {
       const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
-      // inside another field the field has the frame
-      if (frame != nullptr && frame->lineWidth == 0) return;
+      // inside another field the field has the frame; over a line of a list nothing shines through
+      if (frame != nullptr && frame->lineWidth == 0) {
+        if (isEditorInList(widget)) painter->fillRect(option->rect, c.control);
+        return;
+      }
       return drawField(*painter, *option);
     }
     case PE_Frame:

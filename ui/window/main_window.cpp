@@ -23,6 +23,7 @@
 #include "ui/style/style.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/banner.h"
+#include "ui/window/drop_area.h"
 #include "ui/window/escape_filter.h"
 #include "ui/window/loading.h"
 #include "ui/window/menus.h"
@@ -76,7 +77,8 @@ MainWindow::MainWindow(QWidget* parent)
       scan_line_(new QLabel),
       graphics_(new QLabel),
       details_(new QToolButton),
-      tour_(new Tour(*this)) {
+      tour_(new Tour(*this)),
+      drop_(new DropArea(this)) {
   setWindowTitle(QStringLiteral("Palpate"));
   setWindowIcon(QIcon(QStringLiteral(":/icons/palpate.svg")));
   setAcceptDrops(true);
@@ -166,8 +168,8 @@ void MainWindow::showTour() {
                        std::function<void()> revealed = {}) {
     if (target != nullptr) steps.push_back({target, title, sentence, std::move(revealed)});
   };
-  add(findChild<QToolButton*>("openFileButton"), tr("Open a scan"),
-      tr("Here, with File > Open folder, or by dropping it on the window. Left and right come from "
+  add(findChild<QToolButton*>("openFolderButton"), tr("Open a scan"),
+      tr("Here, with File > Open file, or by dropping it on the window. Left and right come from "
          "the file."));
   // of an empty window there is nothing else to tell
   if (start_->isHidden()) {
@@ -323,10 +325,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+  if (!event->mimeData()->hasUrls()) return;
+  event->acceptProposedAction();
+  drop_->cover(*centralWidget());
 }
 
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) { drop_->hide(); }
+
 void MainWindow::dropEvent(QDropEvent* event) {
+  drop_->hide();
   QStringList paths;
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) paths << url.toLocalFile();

@@ -16,6 +16,7 @@ class QToolButton;
 namespace ui {
 
 class Banner;
+class DropArea;
 class EscapeFilter;
 class Loading;
 class Menus;
@@ -95,6 +96,7 @@ class MainWindow : public QMainWindow {
   /// Tab goes through bar, tabs, panels, views and status bar as they are laid out.
   bool focusNextPrevChild(bool next) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
  private:
@@ -122,6 +124,7 @@ class MainWindow : public QMainWindow {
   QLabel* graphics_;
   QToolButton* details_;
   Tour* tour_;
+  DropArea* drop_;
   std::function<bool()> close_guard_;
   QString title_;  ///< of the volume; empty: none
   bool edited_ = false;

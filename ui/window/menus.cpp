@@ -7,6 +7,7 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -14,6 +15,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <optional>
 
 #include "ui/controls/bindings.h"
 #include "ui/dialogs/save_dialog.h"
@@ -50,6 +52,7 @@ void Menus::buildFileMenu() {
     dialog.setFileMode(mode);
     dialog.setNameFilter(filter);
     dialog.setOption(QFileDialog::DontUseNativeDialog);
+    if (QFileInfo(folder_).isDir()) dialog.setDirectory(folder_);
     if (dialog.exec() == QDialog::Accepted) emit(this->*wish)(dialog.selectedFiles().value(0));
   };
   const QString any = tr("All files (*)");
@@ -57,13 +60,13 @@ void Menus::buildFileMenu() {
     ask(QFileDialog::ExistingFile, tr("Open a scan"), any, &Menus::openWanted);
   });
   open->setObjectName("openFile");
-  bar_.add(BarGroup::File, *open, "open");
   giveKeys(*open, Action::OpenFile, tr("Opens a scan in a file"));
   QAction* folder = file->addAction(tr("Open &folder…"), this, [ask, any] {
     ask(QFileDialog::Directory, tr("Open a folder of slices"), any, &Menus::openWanted);
   });
   folder->setObjectName("openFolder");
-  giveKeys(*folder, Action::OpenFolder);
+  bar_.add(BarGroup::File, *folder, "open");
+  giveKeys(*folder, Action::OpenFolder, tr("Opens a folder of slices"));
   file->addAction(tr("From &PACS…"), this, &Menus::pacsWanted)->setObjectName("fromPacs");
   recent_ = file->addMenu(tr("Open &recent"));
   recent_->setObjectName("recent");
@@ -125,10 +128,18 @@ void Menus::buildViewMenu() {
       bar_.add(BarGroup::Views, *action, "crosshair");
   QMenu* surface = view_->addMenu(tr("Drawing of the &surface"));
   VolumeView& volume = views_.volume();
-  surface->addAction(tr("Automatic"), this, [&volume] { volume.setSurfaceWish(std::nullopt); });
-  surface->addAction(tr("Ray casting"), this,
-                     [&volume] { volume.setSurfaceWish(SurfaceMode::RayCast); });
-  surface->addAction(tr("Mesh"), this, [&volume] { volume.setSurfaceWish(SurfaceMode::Mesh); });
+  surface->setObjectName("surfaceMenu");
+  auto* means = new QActionGroup(this);
+  const auto add = [&](const QString& text, std::optional<SurfaceMode> wish) {
+    QAction* action =
+        surface->addAction(text, this, [&volume, wish] { volume.setSurfaceWish(wish); });
+    action->setCheckable(true);
+    action->setChecked(!wish);
+    means->addAction(action);
+  };
+  add(tr("&Automatic"), std::nullopt);
+  add(tr("&Ray casting"), SurfaceMode::RayCast);
+  add(tr("&Mesh"), SurfaceMode::Mesh);
 }
 
 void Menus::buildHelpMenu() {
@@ -255,6 +266,11 @@ void Menus::setRecentPlaces(const QList<Place>& places, bool remembered) {
       recent_->addAction(tr("&Forget recent places"), this, &Menus::forgetPlacesWanted);
   forget->setObjectName("forgetPlaces");
   forget->setEnabled(!places.isEmpty());
+}
+
+void Menus::setPlace(const QString& path) {
+  // where a folder of slices lies there are others beside it
+  folder_ = QFileInfo(path).absolutePath();
 }
 
 void Menus::setSeriesKnown(bool known) { series_->setEnabled(known); }

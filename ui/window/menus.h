@@ -37,6 +37,8 @@ class Menus : public QObject {
   void setPhantoms(const QList<std::pair<QString, QString>>& names);
   /// The places of File > Open recent, newest first, and whether new ones are remembered.
   void setRecentPlaces(const QList<Place>& places, bool remembered);
+  /// The place of the last scan: what is opened next is sought beside it.
+  void setPlace(const QString& path);
   /// Whether there is a list of series to which the user can return.
   void setSeriesKnown(bool known);
   /// Whether an edited volume can be saved.
@@ -103,6 +105,7 @@ class Menus : public QObject {
   QAction* save_edited_ = nullptr;
   QAction* hints_ = nullptr;
   QActionGroup* themes_ = nullptr;
+  QString folder_;  ///< where a dialog begins; empty: where Qt has it
 };
 
 }  // namespace ui

@@ -5,12 +5,14 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QFrame>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -228,15 +230,34 @@ QWidget* StartPage::makeCards() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(style::kEdge);
   column->addWidget(purpose);
-  auto* row = new QHBoxLayout;
-  column->addLayout(row);
-  row->setSpacing(style::kEdge);
+  grid_ = new QGridLayout;
+  column->addLayout(grid_);
+  grid_->setSpacing(style::kEdge);
   for (Card* card : {open, demo, device}) {
     card->finish();
-    row->addWidget(card, 1);
+    all_ << card;
   }
-  row->addStretch(1);
+  arrange(int(all_.size()));
   return cards;
+}
+
+void StartPage::arrange(int columns) {
+  if (columns == columns_) return;
+  for (int n = 0; n < all_.size(); ++n) {
+    grid_->removeWidget(all_[n]);
+    grid_->addWidget(all_[n], n / columns, n % columns);
+  }
+  for (int n = 0; n <= all_.size(); ++n) grid_->setColumnStretch(n, n < columns ? 3 : 0);
+  grid_->setColumnStretch(int(all_.size()), 1);  // the rest stays empty
+  columns_ = columns;
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  const int room = width() - 4 * style::kEdge - verticalScrollBar()->sizeHint().width();
+  int widest = 0;
+  for (const QWidget* card : all_) widest = std::max(widest, card->minimumWidth());
+  arrange(std::clamp((room + style::kEdge) / (widest + style::kEdge), 1, int(all_.size())));
+  QScrollArea::resizeEvent(event);
 }
 
 QWidget* StartPage::makeLoading() {

@@ -7,6 +7,7 @@
 
 #include "ui/controls/small_picture.h"
 
+class QGridLayout;
 class QHBoxLayout;
 class QLabel;
 class QProgressBar;
@@ -73,11 +74,19 @@ class StartPage : public QScrollArea {
   void placeWanted(const QString& path);
   void cancelWanted();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* makeCards();
+  /// Cards side by side; the others stand below.
+  void arrange(int columns);
   QWidget* makeLoading();
 
   QList<Place> places_;
+  QGridLayout* grid_ = nullptr;
+  QList<QWidget*> all_;
+  int columns_ = 0;
   QWidget* cards_;
   QLabel* last_;
   PlaceTiles* tiles_;

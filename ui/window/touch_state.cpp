@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/window/touch_state.h"
 
+#include <QLocale>
 #include <QPushButton>
+#include <cmath>
 
 #include "ui/controls/state_chip.h"
 #include "ui/panels/status_line.h"
@@ -68,6 +70,7 @@ void TouchState::displayWords() {
   if (!unsaid_) return;
   emit worded(*unsaid_);
   status_.display(*unsaid_);
+  showDetail(*unsaid_);
   unsaid_.reset();
   words_.start();
 }
@@ -76,8 +79,16 @@ void TouchState::setHand(const QString& label, Feel feel) {
   feel_ = feel;
   stopped_by_.clear();
   status_.setHand(label);
+  hand_ = label;
   bar_.force().setDetail(label);
   emit handNamed(label);
+}
+
+void TouchState::showDetail(const haptics::Snapshot& snapshot) {
+  // of the loop that runs, to a tenth of a kilohertz
+  const double kHz = std::round(snapshot.servo_rate / 100.0) / 10.0;
+  const bool known = snapshot.policy != haptics::SchedulingPolicy::NotStarted && kHz > 0.0;
+  bar_.force().setDetail(known ? tr("%1 · %2 kHz").arg(hand_, QLocale().toString(kHz)) : hand_);
 }
 
 }  // namespace ui

@@ -44,12 +44,14 @@ class TouchState : public QObject {
  private:
   void displayWords();
   void sayForce(const haptics::Snapshot& snapshot);
+  void showDetail(const haptics::Snapshot& snapshot);
 
   TopBar& bar_;
   Banner& stopped_;
   StatusLine& status_;
   QPushButton* resume_;
   Feel feel_ = Feel::Shown;
+  QString hand_;
   bool is_force_ = false;  ///< of the last snapshot
   QString stopped_by_;     ///< sentence on who stopped the force; empty: nobody since it was armed
   std::optional<haptics::Snapshot> unsaid_;  ///< snapshot that arrived while words_ ran

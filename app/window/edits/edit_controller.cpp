@@ -178,6 +178,10 @@ void EditController::connectPanel() {
   });
   connect(panel_, &Panel::keepPieceWanted, this, [this] { confirmPiece(true); });
   connect(panel_, &Panel::removePieceWanted, this, [this] { confirmPiece(false); });
+  connect(panel_, &Panel::fateShown, this, [this](bool keep) {
+    if (marked_) shade_.show(marked_, keep ? ui::Fate::Stays : ui::Fate::Goes);
+  });
+  connect(panel_, &Panel::scalpelChanged, this, &EditController::showCut);
   connect(panel_, &Panel::removalWanted, this, [this] {
     if (previewed_) apply(*previewed_);
   });
@@ -196,7 +200,12 @@ void EditController::connectOverlays() {
     showPlane();
     messages_.showMessage(why);
   });
-  connect(&lasso_, &ui::Lasso::drawn, this, &EditController::cutOutline);
+  connect(&lasso_, &ui::Lasso::drawn, this, [this](const ui::DrawnOutline& outline) {
+    endPreview();
+    drawn_ = outline;
+    showCut();
+  });
+  connect(&lasso_, &ui::Lasso::confirmed, panel_, &ui::EditPanel::removalWanted);
   connect(&pick_, &ui::PlacePick::picked, this, [this](const Eigen::Vector3d& place_W_mm) {
     preview(datasets::RemovePiece{place_W_mm / kMmPerM, shared_.settings.isovalue},
             ui::EditConfirm::Piece, tr("This piece: %1."));
@@ -282,6 +291,11 @@ void EditController::changeTool(EditTool tool) {
 }
 
 bool EditController::endTool() {
+  // what is shown of a cut first
+  if (drawn_ && !jobs_.isWaiting()) {
+    endPreview();
+    return true;
+  }
   const bool busy = panel_->tool() != EditTool::None || jobs_.isWaiting();
   jobs_.cancelWait();
   previewer_.abandon();
@@ -360,8 +374,9 @@ void EditController::cutPlane() {
   apply(cut);
 }
 
-void EditController::cutOutline(const ui::DrawnOutline& outline) {
-  if (!shared_.shown) return;
+void EditController::showCut() {
+  if (!shared_.shown || !drawn_) return;
+  const ui::DrawnOutline outline = *drawn_;
   const ui::Projection& camera = outline.camera;
   const double reach_mm = ui::boxOf_mm(scan_->grid).diagonal().norm() + 1.0;
   const std::optional<double> depth_mm = panel_->depth_mm();
@@ -388,10 +403,12 @@ void EditController::cutOutline(const ui::DrawnOutline& outline) {
       double nearest = std::numeric_limits<double>::infinity();
       for (const Eigen::Vector3d& place : outline.seen)
         nearest = std::min(nearest, camera.depthOf(place));
-      if (!std::isfinite(nearest))
+      if (!std::isfinite(nearest)) {
+        endPreview();
         return messages_.showMessage(
             tr("There is no surface inside the outline to measure the depth from; draw it over "
                "the surface, or cut through everything."));
+      }
       until_mm = nearest + *depth_mm;
     }
   }
@@ -399,7 +416,8 @@ void EditController::cutOutline(const ui::DrawnOutline& outline) {
   cut.X_WC.translation() = eye / kMmPerM;
   cut.from = from_mm / kMmPerM;
   cut.until = until_mm / kMmPerM;
-  apply(cut);
+  preview(cut, ui::EditConfirm::Cut, tr("The cut takes %1, which is hatched."));
+  drawn_ = outline;
 }
 
 void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& words) {
@@ -411,6 +429,7 @@ void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& 
           const background::Watch& watch) { return previewOf(edit, *volume, isovalue, watch); },
       [this, edit, confirm, words](const haptics::Expected<Preview>& made) {
         if (!made) {
+          drawn_.reset();
           if (made.error().kind != haptics::Error::Kind::Cancelled)
             messages_.showMessage(made.error().reason == background::kNoMemory
                                       ? tr("There is not enough memory to show this.")
@@ -418,7 +437,9 @@ void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& 
           return;
         }
         previewed_ = edit;
-        shade_.show(made->voxels);
+        marked_ = made->voxels;
+        shade_.show(marked_, confirm == ui::EditConfirm::Piece ? ui::Fate::Chosen : ui::Fate::Goes);
+        lasso_.setAsks(confirm == ui::EditConfirm::Cut);
         panel_->showPreview(words.arg(cm3Of(made->volume)), confirm);
       });
 }
@@ -426,6 +447,9 @@ void EditController::preview(Edit edit, ui::EditConfirm confirm, const QString& 
 void EditController::endPreview() {
   previewer_.abandon();
   previewed_.reset();
+  marked_.reset();
+  drawn_.reset();
+  lasso_.setAsks(false);
   shade_.show(nullptr);
   panel_->hidePreview();
 }

@@ -96,7 +96,7 @@ class EditController : public QObject {
   void placePlane(ui::Plane plane);
   void turnPlane(double position_mm, double towards_deg, double raised_deg);
   void cutPlane();
-  void cutOutline(const ui::DrawnOutline& outline);
+  void showCut();
   void preview(datasets::Edit edit, ui::EditConfirm confirm, const QString& words);
   void confirmPiece(bool keep);
   void offerHolder();
@@ -123,6 +123,8 @@ class EditController : public QObject {
 
   std::shared_ptr<const haptics::Volume> scan_;  ///< of the volume on view
   std::optional<datasets::Edit> previewed_;
+  std::shared_ptr<const ui::MarkedVoxels> marked_;  ///< of it
+  std::optional<ui::DrawnOutline> drawn_;           ///< of the cut that is previewed
   EditQueue jobs_;
   background::Task<Preview> previewer_;
   ui::Banner* found_;  ///< offers to remove table and holder of a scan that has come

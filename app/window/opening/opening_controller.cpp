@@ -167,6 +167,7 @@ void OpeningController::adopt(const Loaded& loaded) {
   shared_.shown->picture = picture;
   loading_.end();
   if (new_volume) keepPlace(loaded.place);
+  if (!loaded.place.empty()) menus_.setPlace(QString::fromStdString(loaded.place.string()));
   if (!loaded.note.isEmpty()) messages_.showMessage(loaded.note);
   // with another tool the isovalue is the slider's, which may have moved meanwhile
   if (new_volume) shared_.settings.isovalue = loaded.isovalue;
@@ -228,6 +229,7 @@ void OpeningController::showPlaces() {
     places.append({.path = path, .exists = QFileInfo::exists(path)});
   const bool remembered = preferences_.present().places_remembered;
   menus_.setRecentPlaces(places, remembered);
+  if (!shared_.shown && !places.isEmpty()) menus_.setPlace(places.first().path);
   start_.setPlaces(places, remembered);
 }
 

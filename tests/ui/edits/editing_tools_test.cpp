@@ -404,6 +404,36 @@ TEST_F(Editing, APieceIsShownWithItsVolumeAndKeptOrRemoved) {
       EXPECT_EQ(isAmber(cut.pixelColor(beside)), goes) << at.transpose() << " " << int(plane);
     }
   }
+  // "Remove" hatches the piece, "Keep only" all beside it
+  const auto pointedAt = [&](const char* button) {
+    QEvent enter(QEvent::Enter);
+    QCoreApplication::sendEvent(&child(button), &enter);
+    return std::pair{child<QLabel>("editPreview").text(),
+                     window::pictureOf(slice(ui::Plane::Axial))};
+  };
+  window().views().setCross(kSmallAt);
+  const auto [removing, goes] = pointedAt("removePiece");
+  const auto [keeping, stays] = pointedAt("keepPiece");
+  keepWindow("edit_keep_piece");
+  EXPECT_NE(removing, keeping);
+  EXPECT_TRUE(keeping.contains("stays"));
+  // brighter and darker lines, so not one colour over all
+  const auto hatchAt = [&](const QImage& image, const Vector3d& at) {
+    const QPoint p = slice(ui::Plane::Axial).projected(at).toPoint();
+    const QImage part = image.copy(QRect(p + QPoint{3, 3}, QSize{14, 14}));
+    int least = 255, most = 0;
+    for (int x = 0; x < part.width(); ++x) {
+      const QColor c = part.pixelColor(x, 6);
+      least = std::min(least, c.red() - c.blue());
+      most = std::max(most, c.red() - c.blue());
+    }
+    return least > 20 && most - least > 30;
+  };
+  const Vector3d beside = kSmallAt + Vector3d{-16, 12, 0};
+  EXPECT_TRUE(hatchAt(goes, kSmallAt));
+  EXPECT_FALSE(hatchAt(goes, beside));
+  EXPECT_FALSE(hatchAt(stays, kSmallAt));
+  EXPECT_TRUE(hatchAt(stays, beside));
   click("removePiece");
   EXPECT_FALSE(isThere(kSmallAt));
   EXPECT_TRUE(isThere(kLargeAt));
@@ -471,7 +501,17 @@ TEST_F(Editing, PiecesAreChosenAndTheScalpelIsLedByKeys) {
   QTest::keyClick(&coronal, Qt::Key_Backspace);
   corner(-16, 4);
   keepWindow("edit_corners");
+  QTest::keyClick(&coronal, Qt::Key_Return);
+  ASSERT_TRUE(previewed());
   EXPECT_GT(felt({-12, 0, 0}), isovalue_);
+  for (const QString& hint : hints()) EXPECT_TRUE(hint.contains("cuts")) << hint.toStdString();
+  // Escape keeps it, and the tool
+  QTest::keyClick(&coronal, Qt::Key_Escape);
+  EXPECT_FALSE(child<QLabel>("editPreview").isVisible());
+  EXPECT_EQ(panel().tool(), ui::EditTool::Scalpel);
+  for (const auto& [x, z] : {std::pair{-16, -4}, {-8, -4}, {-8, 4}, {-16, 4}, {-16, 4}})
+    corner(x, z);
+  ASSERT_TRUE(previewed());
   QTest::keyClick(&coronal, Qt::Key_Return);
   settle();
   EXPECT_FALSE(isThere({-12, 0, 0}));
@@ -573,13 +613,30 @@ TEST_F(Editing, AScalpelCutsAlongWhatIsDrawn) {
     return way;
   };
   const auto space = [&](const Vector3d& p) { return inSpace(p); };
+  const auto cut = [&] {
+    ASSERT_TRUE(previewed());
+    EXPECT_EQ(child("applyRemoval").text(), "Cut");
+    click("applyRemoval");
+    settle();
+  };
+  const auto cancelled = [&] {
+    ASSERT_TRUE(previewed());
+    keepWindow("edit_cut_preview");
+    click("cancelPreview");
+  };
   bool drawn = false;
   drag(window().views().volume(), around(space, -12, 0, 5), [&] {
     drawn = true;
     keepWindow("edit_lasso");
   });
   EXPECT_TRUE(drawn);
-  settle();
+  // what it takes is shown, and nothing is cut
+  const QImage plain = window::pictureAtRest(window().views().volume());
+  cancelled();
+  EXPECT_TRUE(isThere({-12, 0, 0}));
+  EXPECT_GT(window::differing(window::pictureAtRest(window().views().volume()), plain), 0.002);
+  drag(window().views().volume(), around(space, -12, 0, 5));
+  cut();
   // through everything
   for (const double y : {-12.0, 0.0, 12.0}) EXPECT_FALSE(isThere({-12, y, 0})) << y;
   EXPECT_TRUE(isThere({-12, 0, 9}));
@@ -594,7 +651,7 @@ TEST_F(Editing, AScalpelCutsAlongWhatIsDrawn) {
   // as deep as a number says
   type("scalpelDepth", "6");
   drag(window().views().volume(), around(space, -12, 0, 5));
-  settle();
+  cut();
   EXPECT_FALSE(isThere({-12, -11, 0}));
   EXPECT_TRUE(isThere({-12, -5, 0}));
   // from the nearest surface, which is at -14
@@ -607,7 +664,7 @@ TEST_F(Editing, AScalpelCutsAlongWhatIsDrawn) {
   ui::SliceView& coronal = slice(ui::Plane::Coronal);
   const auto flat = [&](const Vector3d& p) { return coronal.projected(p); };
   drag(coronal, around(flat, -12, 0, 5));
-  settle();
+  cut();
   for (const double y : {-1.0, 1.0}) {
     EXPECT_FALSE(isThere({-12, 3 * y, 0})) << y;
     EXPECT_TRUE(isThere({-12, 8 * y, 0})) << y;
@@ -616,9 +673,16 @@ TEST_F(Editing, AScalpelCutsAlongWhatIsDrawn) {
   }
   undo();
   type("scalpelDepth", "0");
-  child<QComboBox>("scalpelSide").setCurrentIndex(1);
   drag(coronal, around(flat, -12, 0, 8));
-  settle();
+  ASSERT_TRUE(previewed());
+  const QString inside = child<QLabel>("editPreview").text();
+  // another side is shown at once
+  child<QComboBox>("scalpelSide").setCurrentIndex(1);
+  ASSERT_TRUE(waitFor([&] {
+    return child<QLabel>("editPreview").isVisible() &&
+           child<QLabel>("editPreview").text() != inside;
+  }));
+  cut();
   EXPECT_TRUE(isThere({-12, 5, 0}));
   EXPECT_FALSE(isThere({-12, 0, 11}));
   EXPECT_FALSE(isThere(kSmallAt));

@@ -577,7 +577,14 @@ TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
   auto* editor = list->findChild<QLineEdit*>();
   ASSERT_NE(editor, nullptr);
   EXPECT_TRUE(list->isVisible());
-  editor->selectAll();
+  // the text before does not shine through
+  editor->clear();
+  const QRect inside(editor->mapTo(list, QPoint{8, 4}), editor->size() - QSize{16, 8});
+  const QImage empty = window::pictureOf(*list).copy(inside);
+  window::keep(empty, "marks_note_empty");
+  EXPECT_EQ(
+      window::count(empty, [&](QColor c) { return c != empty.pixelColor(empty.rect().center()); }),
+      0);
   QTest::keyClicks(editor, "thin wall");
   QTest::keyClick(editor, Qt::Key_Return);
   QTest::qWait(50);  // the list takes the text when the key has been handled

@@ -150,6 +150,8 @@ TEST(Slice, SaysDirectionsAsLetters) {
   EXPECT_EQ(ui::letterOf(Vec3::UnitX()), "L");
   EXPECT_EQ(ui::letterOf(-Vec3::UnitX()), "R");
   EXPECT_EQ(ui::letterOf(Vec3{0.1, -0.9, 0.1}.normalized()), "A");
+  // little beside the main one
+  EXPECT_EQ(ui::letterOf(Vec3{-0.42, 0.4, 0.8}.normalized()), "S");
   EXPECT_EQ(ui::letterOf(Vec3{0.8, -0.6, 0.0}), "LA");
   EXPECT_EQ(ui::letterOf(Vec3{0.5, 0.6, -0.62}.normalized()), "IPL");
   const auto letters = ui::lettersOf(ui::axesOf(ui::Plane::Coronal));
