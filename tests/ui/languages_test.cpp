@@ -312,12 +312,12 @@ int expectLettersApart(const QList<QAction*>& entries, const QString& where) {
 
 TEST(Languages, NoLetterOpensTwoEntriesOfAMenu) {
   for (const char* language : {"en", "de"}) {
-    ui::speak(language);
+    ui::setLanguage(language);
     app::Application application(window::sphereInHand("mouse"));
     const ui::MainWindow& window = application.window();
     EXPECT_GT(expectLettersApart(window.menuBar()->actions(), language), 50);
   }
-  ui::speak("en");
+  ui::setLanguage("en");
   QLocale::setDefault(QLocale::c());
 }
 
