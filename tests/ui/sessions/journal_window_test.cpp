@@ -201,6 +201,41 @@ TEST(Journal, EditsIsovalueToolAndItsPlaceComeBack) {
   application->end();
 }
 
+TEST(Journal, AnotherScanGivesUpTheEditsAndADiscardIsAskedAbout) {
+  const User user;
+  {
+    const auto application = user.start();
+    application->marks().measures().replace(twoMarks());
+    application->editing().restore({datasets::Crop{{{0, 0, 10}, {64, 64, 60}}}});
+    user.kept([](const app::ViewFile& view) { return view.edits.size() == 1; });
+    const QString before = application->window().windowTitle();
+    {
+      const Choice choice("Discard");
+      emit application->window().menus().phantomWanted("torus");
+      EXPECT_TRUE(waitFor([&] { return application->window().windowTitle() != before; }));
+    }
+    const auto view = user.kept([](const app::ViewFile& kept) { return kept.edits.empty(); });
+    EXPECT_EQ(view.marks.size(), 2U);
+    QTest::qWait(1'200);
+    EXPECT_EQ(user.works().size(), 1U);  // with the other scan nothing was done
+    application->end();
+  }
+  const auto application = user.start();
+  ASSERT_TRUE(offers(*application));
+  auto* drop = application->window().findChild<QPushButton*>("dropWork");
+  {
+    const Choice choice("Cancel");
+    drop->click();
+  }
+  EXPECT_EQ(user.works().size(), 1U);
+  ASSERT_TRUE(offers(*application));
+  const Choice choice("Discard");
+  drop->click();
+  EXPECT_TRUE(user.works().empty());
+  EXPECT_FALSE(offer(*application).isVisible());
+  application->end();
+}
+
 TEST(Journal, ForgettingPlacesRemovesItAtOnceAndOffKeepsNothing) {
   const User user;
   const auto application = user.start();
@@ -329,7 +364,7 @@ struct Refusing {
       }
       if (!asked.isEmpty()) return dialog->reject();
       dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
-      QMetaObject::invokeMethod(dialog, "accept");
+      QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
     });
     timer.start(50);
   }

@@ -589,7 +589,7 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
       } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
         if (ended) return where->reject();
         where->findChild<QLineEdit*>("fileNameEdit")->setText(exports.filePath(name));
-        QMetaObject::invokeMethod(where, "accept");
+        QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
       }
     });
     answers.start(30);
