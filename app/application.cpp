@@ -76,8 +76,8 @@ class Application::Parts : public QObject {
   ReplayController replay{window.views(), window.messages(),  window.loading(),
                           window.touch(), window.replayBar(), shared};
   SurfaceController surface{window, shared};
-  ExportController exporting{window.views(), window.messages(), window.loading(), shared,
-                             recording.recordings()};
+  ExportController exporting{window.views(), window.messages(),      window.loading(),
+                             shared,         recording.recordings(), marks.measures()};
   ScreenshotController screenshot;
   HelpController help{window.menus(), window.messages()};
   PacsController pacs;

@@ -128,7 +128,7 @@ void addFilmOptions(CLI::App& command, FilmChoice& choice) {
       ->check(wholeNumber(1, 240));
   command.add_option("--speed", choice.speed, "Session time in one second of film [s]")
       ->check(finiteNumber() & CLI::Range(0.001, 1000.0));
-  command.add_flag("--burn-in", choice.burn_in, "Write time and force into the picture");
+  command.add_flag("--burn-in", choice.burn_in, "Show time, force and its curve in the picture");
   command.add_option("--camera", choice.camera, "recorded, or fixed: a view of surface and tool")
       ->check(CLI::IsMember({"recorded", "fixed"}));
   command.add_option("--surface", choice.surface, "How the surface is drawn")

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -26,6 +27,7 @@ using haptics::Expected;
 using haptics::Vec3;
 
 constexpr std::int64_t kMostFrames = 1'000'000;
+constexpr double kCurveSeconds = 10.0;  // of the session, as the window's curve has
 constexpr const char *kMp4 = ".mp4", *kOgg = ".ogv", *kTable = ".frames.csv";
 
 tl::unexpected<Error> refused(haptics::Message message, const char* reason) {
@@ -53,6 +55,13 @@ class Timing {
     return Timing{from, step, std::int64_t(frames)};
   }
   std::int64_t count() const { return count_; }
+  /// The first frame that is not before a time.
+  std::int64_t firstAt(std::int64_t time_ns) const {
+    return static_cast<std::int64_t>(std::ceil((double(time_ns) * 1e-9 - from_) / step_ - 1e-6));
+  }
+  std::size_t framesIn(double seconds) const {
+    return static_cast<std::size_t>(std::clamp(seconds / step_, 2.0, 1e5));
+  }
   std::int64_t time_ns(std::int64_t frame) const {
     return std::llround((from_ + double(frame) * step_) * 1e9);
   }
@@ -137,6 +146,8 @@ class Drawing {
     auto first = finder_.at(timing_.time_ns(0));
     if (!first) return tl::unexpected(first.error());
     enter((*first)->step.scene);
+    if (options_.burn_in)
+      if (auto read = readForces(); !read) return read;
     if (options_.recorded_camera && !cameras_.empty()) return {};
     if (options_.camera) {
       stage_.look(*options_.camera);
@@ -157,11 +168,35 @@ class Drawing {
     const haptics::Step& step = (*found)->step;
     enter(step.scene);
     if (options_.recorded_camera && !cameras_.empty()) stage_.look(cameras_.at(time_ns));
-    if (options_.burn_in) stage_.write(burntIn(step));
+    if (options_.burn_in) {
+      stage_.write(burntIn(step));
+      const auto shown = static_cast<std::size_t>(frame) + 1;
+      stage_.curve().show(std::span{forces_}.first(std::min(shown, forces_.size())),
+                          timing_.framesIn(kCurveSeconds), most_force_);
+    }
     return Drawn{stage_.draw(step), step};
   }
 
  private:
+  /// The greatest force since the frame before, for each frame.
+  Expected<void> readForces() {
+    forces_.assign(static_cast<std::size_t>(timing_.count()), 0.0F);
+    double most = 0.0;
+    auto read = recording_.forEach(options_.from, options_.to, [&](const RecordedStep& row) {
+      const std::int64_t frame = std::min(timing_.firstAt(row.step.time_ns), timing_.count() - 1);
+      const double force = row.step.sent_W.force.norm();
+      if (!std::isfinite(force)) return true;
+      float& shown = forces_[static_cast<std::size_t>(std::max<std::int64_t>(frame, 0))];
+      shown = std::max(shown, static_cast<float>(force));
+      most = std::max(most, force);
+      return !options_.goes_on || frame % 1000 != 0 || options_.goes_on(0.0);
+    });
+    // 1, 2, 5, 10, …
+    most_force_ = 1.0;
+    for (int n = 0; most_force_ < most && n < 30; ++n) most_force_ *= n % 3 == 1 ? 2.5 : 2.0;
+    return read;
+  }
+
   /// From where the surface and all that the tool does are seen.
   Expected<void> lookAtAll(RecordedStep first) {
     const Eigen::AlignedBox3d box = stage_.surfaceBox_mm(first.step.settings.isovalue);
@@ -220,6 +255,8 @@ class Drawing {
   StepFinder finder_;
   CameraPath cameras_;
   std::optional<std::uint32_t> scene_;
+  std::vector<float> forces_;  ///< N, of each frame; empty without a curve
+  double most_force_ = 1.0;    ///< N
 };
 
 Expected<void> check(const FilmOptions& options) {
@@ -251,7 +288,7 @@ Expected<FilmResult> makeFilm(Recording& recording, const VolumeOfScene& volume,
   const StillWanted wanted = [&] {
     return !options.goes_on || options.goes_on(double(done) / double(timing->count()));
   };
-  auto stage = FilmStage::open(options.width, options.height, options.surface);
+  auto stage = FilmStage::open(options.width, options.height, options.surface, options.look);
   if (!stage) return tl::unexpected(stage.error());
   Drawing drawing{recording, volume, options, *timing, **stage};
   if (auto begun = drawing.begin(); !begun) return tl::unexpected(begun.error());

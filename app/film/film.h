@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/film/camera.h"
+#include "app/film/overlays.h"
 #include "app/recording/recording.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
@@ -25,7 +26,8 @@ struct FilmOptions {
   int width = 1280, height = 720;  ///< pixels, even, 64 to 7680
   int frames_per_second = 30;      ///< 1 to 240
   double speed = 1.0;              ///< session time in one second of film; 0.001 to 1000
-  bool burn_in = false;            ///< time and force in the lower left corner
+  bool burn_in = false;            ///< time and force in figures, and the force's curve
+  FilmLook look = {};
   /// Use the recorded cameras. If false, or if the recording has none, use `camera`; if that is not
   /// set, a view of surface and tool.
   bool recorded_camera = true;

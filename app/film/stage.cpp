@@ -16,11 +16,13 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "app/display.h"
 #include "ui/props/held_pass.h"
 #include "ui/props/letters.h"
 #include "ui/props/tool_prop.h"
+#include "ui/props/veil_pass.h"
 #include "ui/props/viewport.h"
 
 namespace app {
@@ -58,7 +60,9 @@ struct FilmStage::Layers {
   vtkNew<vtkTextActor> text;
   vtkNew<vtkCamera> eye;
   vtkNew<ui::HeldPass> held;
-  vtkNew<vtkRenderer> surface_layer, proxy_layer, overlay_layer;
+  vtkNew<ui::VeilPass> veil;
+  vtkNew<vtkRenderer> surface_layer, proxy_layer, veil_layer, overlay_layer;
+  std::unique_ptr<FilmCurve> curve;
   std::unique_ptr<ui::Letters> letters;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -72,6 +76,12 @@ struct FilmStage::Layers {
   double tool_radius = 0.0;  ///< m
   FilmCamera camera;
   FilmFrame frame;
+  FilmLook look;
+
+  void redrawSurface() {
+    held->forget();
+    veil->forget();
+  }
 
   /// The ray caster writes no depth: the proxy must be there before it. A mesh is drawn once and
   /// kept, so that the proxy may move over it at no cost.
@@ -88,7 +98,8 @@ FilmStage::FilmStage(std::unique_ptr<Layers> layers) : layers_{std::move(layers)
 FilmStage::~FilmStage() = default;
 
 Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
-                                                     std::optional<ui::SurfaceMode> wish) {
+                                                     std::optional<ui::SurfaceMode> wish,
+                                                     FilmLook look_of_view) {
   auto layers = std::make_unique<Layers>();
   Layers& s = *layers;
   if (!s.display.draws())
@@ -100,9 +111,10 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.window->SetMultiSamples(0);  // the kept surface is copied pixel by pixel
   s.window->SetSize(width, height);
   s.window->SetDPI(std::max(36, int(72.0 * std::min(width, height) / kTextHeight)));
-  s.window->SetNumberOfLayers(3);
+  s.window->SetNumberOfLayers(4);
   int number = 0;
-  for (vtkRenderer* layer : {s.surface_layer.Get(), s.proxy_layer.Get(), s.overlay_layer.Get()}) {
+  for (vtkRenderer* layer :
+       {s.surface_layer.Get(), s.proxy_layer.Get(), s.veil_layer.Get(), s.overlay_layer.Get()}) {
     layer->SetLayer(number++);
     layer->SetActiveCamera(s.eye);
     s.window->AddRenderer(layer);
@@ -110,6 +122,14 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.surface_layer->SetBackground(0.07, 0.08, 0.10);
   // the proxy is hidden by the surface in front of it; the device never is
   s.proxy_layer->PreserveDepthBufferOn();
+  s.veil_layer->PreserveDepthBufferOn();
+  s.veil_layer->SetPass(s.veil);
+  s.veil->setOpacity(s.look.second_opacity);
+  s.veil_layer->AddActor(s.surface.secondMesh());
+  s.look = std::move(look_of_view);
+  s.veil_layer->SetDraw(s.look.second.has_value());
+  addMarks(*s.overlay_layer, s.look.marks);
+  s.curve = std::make_unique<FilmCurve>(*s.overlay_layer, width, height);
   s.surface_layer->AddVolume(s.surface.rayCast());
   s.surface_layer->AddActor(s.surface.mesh());
   s.overlay_layer->AddActor(s.tool.device());
@@ -152,15 +172,18 @@ void FilmStage::show(const std::shared_ptr<const haptics::Volume>& volume) {
   if (volume == s.volume) return;
   s.volume = volume;
   s.isovalue.reset();
-  s.held->forget();
+  s.redrawSurface();
   s.letters->setVisible(volume != nullptr && volume->orientation_known);
   if (volume == nullptr) {
     s.picture = {};
     s.surface.rayCast()->VisibilityOff();
     s.surface.mesh()->VisibilityOff();
+    s.surface.secondMesh()->VisibilityOff();
   } else {
     s.picture = ui::pictureOf(volume);
     s.surface.show(s.picture);
+    s.surface.setColouring(s.look.colours);
+    s.surface.setSecond(s.look.second);
     s.surface.setMode(ui::chooseSurface(s.wish, s.graphics, volume->grid).mode);
   }
   s.placeProxy();
@@ -183,9 +206,10 @@ void FilmStage::look(const FilmCamera& camera) {
   s.eye->SetFocalPoint(camera.focus_mm.data());
   s.eye->SetViewUp(camera.up.data());
   s.eye->SetViewAngle(camera.angle_deg);
-  s.held->forget();
+  s.redrawSurface();
 }
 
+FilmCurve& FilmStage::curve() { return *layers_->curve; }
 const FilmCamera& FilmStage::camera() const { return layers_->camera; }
 ui::SurfaceMode FilmStage::surfaceMode() const { return layers_->surface.mode(); }
 
@@ -202,7 +226,7 @@ void FilmStage::placeSurface(double isovalue) {
   if (s.volume == nullptr || isovalue == s.isovalue) return;
   s.isovalue = isovalue;
   s.surface.setIsovalue(isovalue);
-  s.held->forget();
+  s.redrawSurface();
   if (s.surface.mode() == ui::SurfaceMode::Mesh) {
     try {
       const auto image = s.volume->grid.voxelCount() <= kFineVoxels
@@ -227,6 +251,8 @@ void FilmStage::placeClippingPlanes(const haptics::Step& step) {
       box.extend(Vec3{p_mm - room});
       box.extend(Vec3{p_mm + room});
     }
+  for (const FilmMark& mark : s.look.marks)
+    for (const Vec3& p_mm : mark.places_mm) box.extend(p_mm);
   if (box.isEmpty()) box.extend(Vec3::Zero().eval());
   const Vec3 away = (s.camera.focus_mm - s.camera.position_mm).normalized();
   const double middle = away.dot(box.center() - s.camera.position_mm);
@@ -239,7 +265,7 @@ void FilmStage::placeClippingPlanes(const haptics::Step& step) {
   const double* range = s.eye->GetClippingRange();
   if (range[0] == near_step && range[1] == far_mm) return;
   s.eye->SetClippingRange(near_step, far_mm);
-  s.held->forget();
+  s.redrawSurface();
 }
 
 const FilmFrame& FilmStage::draw(const haptics::Step& step) {

@@ -7,6 +7,7 @@
 
 #include "app/film/camera.h"
 #include "app/film/frame.h"
+#include "app/film/overlays.h"
 #include "app/recording/recording.h"
 #include "haptics/core/error.h"
 #include "ui/props/volume_prop.h"
@@ -18,9 +19,11 @@ namespace app {
 class FilmStage {
  public:
   /// Uses the ray caster if a graphics card draws, otherwise the mesh; `wish` as in chooseSurface.
+  /// `look`: what is shown of the view beside the recording.
   /// Refusals: "no-display", "no-graphics" (no OpenGL 3.2).
   static haptics::Expected<std::unique_ptr<FilmStage>> open(int width, int height,
-                                                            std::optional<ui::SurfaceMode> wish);
+                                                            std::optional<ui::SurfaceMode> wish,
+                                                            FilmLook look = {});
   ~FilmStage();
   FilmStage(const FilmStage&) = delete;
   FilmStage& operator=(const FilmStage&) = delete;
@@ -31,6 +34,7 @@ class FilmStage {
   void show(const std::shared_ptr<const haptics::Volume>& volume);
   /// Shows a text in the lower left corner; empty: none.
   void write(const std::string& text);
+  FilmCurve& curve();
   void look(const FilmCamera& camera);
   const FilmCamera& camera() const;
   /// Bounding box of the surface at an isovalue, in W [mm]; empty if there is no surface.

@@ -45,7 +45,7 @@ ExportDialog::ExportDialog(double begin, double end, std::vector<ExportFormat> f
       cameras_(new QComboBox),
       sizes_(new QComboBox),
       frame_rates_(new QComboBox),
-      figures_(new QCheckBox(tr("Write force and time into the picture"))) {
+      figures_(new QCheckBox(tr("Show force, its curve and time in the picture"))) {
   setWindowTitle(tr("Export a recording"));
   formats_->setObjectName("exportFormat");
   formats_->setToolTip(tr("Format of the exported recording"));
@@ -151,7 +151,8 @@ QWidget* ExportDialog::buildFilm() {
   frame_rates_->setToolTip(tr("Pictures for each second of the film"));
   for (const int rate : {30, 60}) frame_rates_->addItem(tr("%1 a second").arg(rate), rate);
   figures_->setObjectName("filmFigures");
-  figures_->setToolTip(tr("The film then shows the force and the time in figures"));
+  figures_->setToolTip(
+      tr("The film then has the force and the time in figures, and the curve of the force"));
   figures_->setChecked(true);
 
   auto* all = new QWidget;
@@ -166,7 +167,8 @@ QWidget* ExportDialog::buildFilm() {
 
 void ExportDialog::showFormat() {
   const std::optional<std::size_t> table = wish().table;
-  about_->setText(table ? tables_[*table].about : tr("A film of the 3-D view."));
+  about_->setText(table ? tables_[*table].about
+                        : tr("The 3-D view, with its colours, second surface and marks as now."));
   samples_->setVisible(table.has_value());
   film_->setVisible(!table);
   showRange();

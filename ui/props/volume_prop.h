@@ -43,6 +43,7 @@ class VolumeProp {
   double isovalue() const { return isovalue_; }
   /// The colour of the surface follows from its isovalue.
   void setColouring(const Colouring& colouring);
+  const Colouring& colouring() const { return colouring_; }
   Rgb colour() const { return colouring_.at(isovalue_); }
   /// Darkens what lies deep among other parts of the surface; ray-cast only, and costs 16 samples a
   /// pixel: for graphics cards.

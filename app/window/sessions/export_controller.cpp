@@ -16,6 +16,7 @@
 #include "app/window/scan/view_camera.h"
 #include "ui/dialogs/export_question.h"
 #include "ui/dialogs/save_dialog.h"
+#include "ui/overlays/measure_words.h"
 #include "ui/views/volume_view.h"
 
 namespace app {
@@ -36,12 +37,14 @@ std::vector<ui::ExportFormat> tables() {
 }  // namespace
 
 ExportController::ExportController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
-                                   SharedState& shared, const Recordings& recordings)
+                                   SharedState& shared, const Recordings& recordings,
+                                   const ui::Measures& measures)
     : views_(views),
       messages_(messages),
       loading_(loading),
       shared_(shared),
-      recordings_(recordings) {
+      recordings_(recordings),
+      measures_(measures) {
   connect(&loading, &ui::Loading::cancelWanted, &task_, &ExportTask::cancel);
   connect(&loading, &ui::Loading::cancelWanted, this, [this] { opener_.cancel(); });
   connect(&task_, &ExportTask::progressed, &loading, &ui::Loading::advance);
@@ -81,9 +84,11 @@ void ExportController::askAndExport(const Exported& recording) {
     if (request.volume) request.hash = shared_.identity.of(request.volume);
     if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
       request.camera = cameraOf(views_.volume());
+    request.look = lookOfView();
+    const double least =
+        std::min(recording.least_isovalue, request.look.second.value_or(recording.least_isovalue));
     // said once for each film, before anything is written
-    if (shared_.shown && !shared_.shown->place.empty() &&
-        mayShowAFace(*request.volume, recording.least_isovalue) &&
+    if (shared_.shown && !shared_.shown->place.empty() && mayShowAFace(*request.volume, least) &&
         !messages_.askWhether(
             tr("This film may show a face."),
             tr("The skin is drawn at this isovalue, and a face can be recognised. Raise the "
@@ -120,6 +125,20 @@ void ExportController::askAndExport(const Exported& recording) {
                             tr("Its files are written over."), tr("Write over it")))
     return;
   exportTo(std::move(request));
+}
+
+FilmLook ExportController::lookOfView() const {
+  FilmLook look{.colours = views_.volume().surface().colouring(),
+                .second = views_.volume().surface().second(),
+                .second_opacity = views_.volume().secondOpacity()};
+  for (const ui::Measure& measure : measures_.all()) {
+    const QString value = ui::valueOf(measure, measures_.scan());
+    const QString words = QString::fromStdString(measure.text);
+    look.marks.push_back(
+        {measure.places_mm,
+         (value.isEmpty() ? words : tr("%1: %2").arg(words, value)).toStdString()});
+  }
+  return look;
 }
 
 void ExportController::exportTo(ExportRequest request) {

@@ -7,6 +7,7 @@
 #include "app/window/scan/shared_state.h"
 #include "app/window/sessions/export_task.h"
 #include "app/window/sessions/recordings.h"
+#include "ui/overlays/measures.h"
 #include "ui/window/loading.h"
 #include "ui/window/messages.h"
 #include "ui/window/views.h"
@@ -18,7 +19,7 @@ class ExportController : public QObject {
   Q_OBJECT
  public:
   ExportController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
-                   SharedState& shared, const Recordings& recordings);
+                   SharedState& shared, const Recordings& recordings, const ui::Measures& measures);
 
   /// Asks for the options, and exports the recording with this name.
   void exportRecording(const QString& id);
@@ -34,12 +35,15 @@ class ExportController : public QObject {
     double least_isovalue = 0.0;
   };
   void askAndExport(const Exported& recording);
+  /// The colours, the second surface and the marks of the 3-D view.
+  FilmLook lookOfView() const;
 
   ui::Views& views_;
   ui::Messages& messages_;
   ui::Loading& loading_;
   SharedState& shared_;
   const Recordings& recordings_;
+  const ui::Measures& measures_;
   ExportTask task_;
   background::Task<Exported> opener_;
   QString folder_;  ///< of the present or last export

@@ -27,6 +27,7 @@ haptics::Expected<QString> film(Recording& recording, const ExportRequest& reque
   options.burn_in = wish.film.figures;
   options.recorded_camera = wish.film.camera == ui::ExportWish::Film::Camera::AsRecorded;
   options.camera = request.camera;
+  options.look = request.look;
   options.goes_on = std::move(goes_on);
   const auto volume = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Volume> {
     const RecordedScene* scene = recording.scene(id);

@@ -9,6 +9,7 @@
 
 #include "app/background/task.h"
 #include "app/film/camera.h"
+#include "app/film/overlays.h"
 #include "app/recording/scene_words.h"
 #include "haptics/core/volume.h"
 #include "ui/dialogs/export_question.h"
@@ -23,6 +24,7 @@ struct ExportRequest {
   std::shared_ptr<const haptics::Volume> volume = {};
   std::optional<VolumeHash> hash = {};    ///< hash of the volume, if it is known
   std::optional<FilmCamera> camera = {};  ///< camera of a film with a fixed view
+  FilmLook look = {};                     ///< what a film has of the view
 };
 
 /// Exports on its own thread, one export at a time. Only the destructor waits for it.

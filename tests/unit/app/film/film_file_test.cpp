@@ -44,7 +44,7 @@ TEST_F(Film, WithoutFfmpegIsOggTheora) {
     FilmOptions chosen = options();
     chosen.ffmpeg = program;
     std::filesystem::remove(scratch / "f.ogv");
-    const auto film = app::makeFilm(recording, none, scratch / "f.mp4", chosen);
+    const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
     ASSERT_TRUE(film) << sentence(film.error());
     EXPECT_EQ(film->film, scratch / "f.ogv");
     EXPECT_EQ(film->codec, "theora");

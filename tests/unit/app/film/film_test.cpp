@@ -338,4 +338,60 @@ TEST_F(Film, MayBeLargerThanTheScreen) {
   EXPECT_NEAR(seen[1] - 540.0, (proxy[1] - 120.0) * 4.5, 2.0);
 }
 
+TEST_F(Film, ShowsTheMarksAndTheSecondSurfaceOfTheView) {
+  auto recording = recorded(scratch, {});
+  FilmOptions chosen = options();
+  chosen.to = 0.1;
+  const auto made = [&] {
+    const auto film = app::makeFilm(
+        recording, [](std::uint32_t) { return ball(); }, scratch / "f", chosen);
+    EXPECT_TRUE(film) << sentence(film.error());
+    return decoded(film->film);
+  };
+  const auto markColoured = [](Colour c) { return c.r > c.g + 40 && c.b > c.g + 40 && c.r > 150; };
+  const auto brightness = [](const Decoded& film, const std::array<double, 2>& at) {
+    const Colour c = film.pixel(1, int(at[0]), int(at[1]));
+    return c.r + c.g + c.b;
+  };
+  const Vec3 left(-15.0, -15.0, 14.0), right(15.0, -15.0, 14.0);  // mm
+  const auto beside = projected(front(), {0.0, 0.0, -0.015});     // the first surface ends at 12 mm
+  const Decoded bare = made();
+  EXPECT_EQ(bare.count(1, markColoured), 0);
+  chosen.look.marks = {{{left, right}, ""}};
+  chosen.look.second = 20.0;
+  const Decoded film = made();
+  EXPECT_GT(film.count(1, markColoured), 50);
+  const auto seen = film.centroid(1, markColoured);
+  const auto a = projected(front(), left * 1e-3), b = projected(front(), right * 1e-3);
+  EXPECT_NEAR(seen[0], 0.5 * (a[0] + b[0]), 3.0);
+  EXPECT_NEAR(seen[1], 0.5 * (a[1] + b[1]), 2.0);
+  EXPECT_GT(brightness(film, beside), brightness(bare, beside) + 60);
+}
+
+TEST_F(Film, ShowsTheCurveOfTheForceAndLosesNoPeak) {
+  Session session;
+  session.step = [](std::int64_t n) {
+    Step step = stepAt(n);
+    step.sent_W.force = Vec3(0.0, 0.0, n == 731 ? 16.0 : 2.0);  // between two frames
+    return step;
+  };
+  auto recording = recorded(scratch, session);
+  FilmOptions chosen = options();
+  chosen.burn_in = true;
+  const auto film = app::makeFilm(recording, none, scratch / "f", chosen);
+  ASSERT_TRUE(film) << sentence(film.error());
+  const Decoded pictures = decoded(film->film);
+  // the highest pixel of the curve, from the lower edge; its upper edge is 20 N
+  const auto highest = [&](std::size_t frame) {
+    for (int y = 180; y < kHeight; ++y)
+      for (int x = 2 * kWidth / 3; x < kWidth; ++x)
+        if (const Colour c = pictures.pixel(frame, x, y); c.b > c.r + 60 && c.b > 120)
+          return kHeight - y;
+    return 0;
+  };
+  const double low = kHeight / 45.0 + 1.0, high = 0.14 * kHeight - 2.0;
+  EXPECT_NEAR(highest(10), low + high * 2.0 / 20.0, 2.5);
+  EXPECT_NEAR(highest(20), low + high * 16.0 / 20.0, 2.5);
+}
+
 }  // namespace

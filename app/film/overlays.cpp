@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/film/overlays.h"
+
+#include <vtkActor.h>
+#include <vtkActor2D.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <QString>
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "ui/style/scene_colours.h"
+
+namespace app {
+namespace {
+
+constexpr double kWide = 0.28, kHigh = 0.14;  // of the picture
+constexpr double kMargin = 45.0;              // this part of the shorter side is left free
+constexpr int kWordsSize = 16;
+
+}  // namespace
+
+void addMarks(vtkRenderer& renderer, const std::vector<FilmMark>& marks) {
+  const QColor& ink = ui::style::kMeasure;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines, dots;
+  for (const FilmMark& mark : marks) {
+    if (mark.places_mm.size() > 1)
+      lines->InsertNextCell(static_cast<vtkIdType>(mark.places_mm.size()));
+    for (const haptics::Vec3& p : mark.places_mm) {
+      const vtkIdType point = points->InsertNextPoint(p.data());
+      if (mark.places_mm.size() > 1) lines->InsertCellPoint(point);
+      dots->InsertNextCell(1, &point);
+    }
+    if (mark.words.empty() || mark.places_mm.empty()) continue;
+    vtkNew<vtkBillboardTextActor3D> words;
+    words->SetInput(mark.words.c_str());
+    const haptics::Vec3& last = mark.places_mm.back();
+    words->SetPosition(last.x(), last.y(), last.z());
+    words->SetDisplayOffset(8, 6);
+    vtkTextProperty* look = words->GetTextProperty();
+    look->SetFontSize(kWordsSize);
+    look->SetColor(ink.redF(), ink.greenF(), ink.blueF());
+    look->SetBackgroundColor(0.0, 0.0, 0.0);
+    look->SetBackgroundOpacity(0.6);
+    renderer.AddActor(words);
+  }
+  vtkNew<vtkPolyData> shapes;
+  shapes->SetPoints(points);
+  shapes->SetLines(lines);
+  shapes->SetVerts(dots);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(shapes);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkProperty* look = actor->GetProperty();
+  look->LightingOff();
+  look->SetColor(ink.redF(), ink.greenF(), ink.blueF());
+  look->SetLineWidth(2.0F);
+  look->SetPointSize(8.0F);
+  renderer.AddActor(actor);
+}
+
+FilmCurve::FilmCurve(vtkRenderer& renderer, int width, int height)
+    : left_(width * (1.0 - kWide) - std::min(width, height) / kMargin),
+      low_(std::min(width, height) / kMargin),
+      width_(width * kWide),
+      height_(height * kHigh),
+      points_(vtkSmartPointer<vtkPoints>::New()),
+      line_(vtkSmartPointer<vtkPolyData>::New()),
+      ground_(vtkSmartPointer<vtkActor2D>::New()),
+      curve_(vtkSmartPointer<vtkActor2D>::New()),
+      scale_(vtkSmartPointer<vtkTextActor>::New()) {
+  vtkNew<vtkPoints> corners;
+  vtkNew<vtkCellArray> box;
+  box->InsertNextCell(4);
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+    box->InsertCellPoint(corners->InsertNextPoint(left_ + x * width_, low_ + y * height_, 0.0));
+  vtkNew<vtkPolyData> ground;
+  ground->SetPoints(corners);
+  ground->SetPolys(box);
+  line_->SetPoints(points_);
+  for (const auto& [actor, data, colour, opacity] :
+       {std::tuple{ground_.Get(), ground.Get(), ui::style::kViewGround, 0.7},
+        std::tuple{curve_.Get(), line_.Get(), ui::style::kForceArrow, 1.0}}) {
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(data);
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+    actor->GetProperty()->SetOpacity(opacity);
+    actor->VisibilityOff();
+    renderer.AddActor2D(actor);
+  }
+  curve_->GetProperty()->SetLineWidth(2.0F);
+  vtkTextProperty* look = scale_->GetTextProperty();
+  look->SetFontSize(kWordsSize);
+  look->SetColor(1.0, 1.0, 1.0);
+  look->SetVerticalJustificationToTop();
+  scale_->SetDisplayPosition(static_cast<int>(left_ + 4.0), static_cast<int>(low_ + height_ - 2.0));
+  scale_->VisibilityOff();
+  renderer.AddActor2D(scale_);
+}
+
+FilmCurve::~FilmCurve() = default;
+
+void FilmCurve::show(std::span<const float> forces, std::size_t places, double most) {
+  if (forces.size() > places) forces = forces.last(places);
+  points_->Reset();
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(static_cast<vtkIdType>(forces.size()));
+  const double step = width_ / static_cast<double>(std::max<std::size_t>(places, 2) - 1);
+  for (std::size_t n = 0; n < forces.size(); ++n) {
+    const double force = std::clamp(static_cast<double>(forces[n]) / most, 0.0, 1.0);
+    const double from_right = static_cast<double>(forces.size() - 1 - n) * step;
+    line->InsertCellPoint(points_->InsertNextPoint(left_ + width_ - from_right,
+                                                   low_ + 1.0 + force * (height_ - 2.0), 0.0));
+  }
+  line_->SetLines(line);
+  points_->Modified();
+  scale_->SetInput(QString("%1 N").arg(most).toUtf8().constData());
+  for (vtkProp* prop : {static_cast<vtkProp*>(ground_), static_cast<vtkProp*>(curve_),
+                        static_cast<vtkProp*>(scale_)})
+    prop->VisibilityOn();
+}
+
+}  // namespace app
