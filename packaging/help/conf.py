@@ -12,6 +12,7 @@ copyright = author
 release = version = re.search(r"project\(\w+ VERSION (\S+)", (root / "CMakeLists.txt").read_text()).group(1)
 today = release  # a date would make every build another one
 extensions = ["myst_parser"]
+exclude_patterns = ["*/*.md"]  # translations are for the window
 myst_heading_anchors = 3
 html_theme = "classic"
 html_show_sourcelink = False

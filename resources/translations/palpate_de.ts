@@ -785,11 +785,11 @@
     </message>
     <message>
         <source>%1 is not a mesh that can be read; save the tool as STL, OBJ or PLY.</source>
-        <translation>%1 ist kein lesbares Netz; speichern Sie das Werkzeug als STL, OBJ oder PLY.</translation>
+        <translation>%1 ist kein lesbares Gitternetz; speichern Sie das Werkzeug als STL, OBJ oder PLY.</translation>
     </message>
     <message>
         <source>%1 is larger than 1 GB; reduce the mesh first.</source>
-        <translation>%1 ist größer als 1 GB; verkleinern Sie zuerst das Netz.</translation>
+        <translation>%1 ist größer als 1 GB; verkleinern Sie zuerst das Gitternetz.</translation>
     </message>
     <message>
         <source>%1 holds no triangle; a tool needs a surface, so export one.</source>
@@ -797,15 +797,15 @@
     </message>
     <message>
         <source>The mesh is open (%1 edges have one triangle); it is touched with its vertices all the same.</source>
-        <translation>Das Netz ist offen (%1 Kanten haben nur ein Dreieck); es wird trotzdem mit seinen Eckpunkten getastet.</translation>
+        <translation>Das Gitternetz ist offen (%1 Kanten haben nur ein Dreieck); es wird trotzdem mit seinen Eckpunkten abgetastet.</translation>
     </message>
     <message>
         <source>The mesh is not manifold (%1 edges have more than two triangles); it is touched with its vertices all the same.</source>
-        <translation>Das Netz ist keine Mannigfaltigkeit (%1 Kanten haben mehr als zwei Dreiecke); es wird trotzdem mit seinen Eckpunkten getastet.</translation>
+        <translation>Das Gitternetz ist keine Mannigfaltigkeit (%1 Kanten haben mehr als zwei Dreiecke); es wird trotzdem mit seinen Eckpunkten abgetastet.</translation>
     </message>
     <message>
         <source>The tool is %1 mm long, which is unusual; check the unit of the mesh.</source>
-        <translation>Das Werkzeug ist %1 mm lang, was ungewöhnlich ist; prüfen Sie die Einheit des Netzes.</translation>
+        <translation>Das Werkzeug ist %1 mm lang, was ungewöhnlich ist; prüfen Sie die Einheit des Gitternetzes.</translation>
     </message>
     <message>
         <source>%1 has %2 axes; export a volume of three.</source>
@@ -866,10 +866,6 @@
     <message>
         <source>The file states no spacing: voxels of 1 mm are assumed.</source>
         <translation>Die Datei nennt keinen Abstand: Voxel von 1 mm werden angenommen.</translation>
-    </message>
-    <message>
-        <source>Volume %1 of %2, counted from 0. %3</source>
-        <translation>Volumen %1 von %2, von 0 an gezählt. %3</translation>
     </message>
     <message>
         <source>%1 is %2, %3, %4 mm</source>
@@ -937,11 +933,11 @@
     </message>
     <message>
         <source>The recording stopped, and touch goes on: %1. Nothing was recorded until then.</source>
-        <translation>Die Aufzeichnung endete, das Tasten geht weiter: %1. Bis dahin wurde nichts aufgezeichnet.</translation>
+        <translation>Die Aufzeichnung endete, das Abtasten geht weiter: %1. Bis dahin wurde nichts aufgezeichnet.</translation>
     </message>
     <message>
         <source>The recording stopped, and touch goes on: %1. What was recorded until then is in &quot;%2&quot; and can be recovered.</source>
-        <translation>Die Aufzeichnung endete, das Tasten geht weiter: %1. Was bis dahin aufgezeichnet wurde, ist in „%2“ und lässt sich wiederherstellen.</translation>
+        <translation>Die Aufzeichnung endete, das Abtasten geht weiter: %1. Was bis dahin aufgezeichnet wurde, ist in „%2“ und lässt sich wiederherstellen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is what an earlier recording left; recover it with palpate-cli recover, or remove it.</source>
@@ -1377,7 +1373,7 @@
     </message>
     <message>
         <source>A face of %1 has more than %2 corners; export the mesh again as triangles.</source>
-        <translation>Eine Fläche von %1 hat mehr als %2 Ecken; exportieren Sie das Netz neu als Dreiecke.</translation>
+        <translation>Eine Fläche von %1 hat mehr als %2 Ecken; exportieren Sie das Gitternetz neu als Dreiecke.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no regular file: it is a folder, a pipe or a device; name a file.</source>
@@ -1433,7 +1429,7 @@
     </message>
     <message>
         <source>The system has no thread left for the touch; close other programs and try again.</source>
-        <translation>Das System hat keinen Thread mehr für das Tasten; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
+        <translation>Das System hat keinen Thread mehr für das Abtasten; schließen Sie andere Programme und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>There is no &quot;%1&quot;; choose one of %2, or a file.</source>
@@ -1441,7 +1437,7 @@
     </message>
     <message>
         <source>This palpate-cli was built without readers and opens no scans or meshes; use --phantom, a named tool or a CSV of points, or the desktop build.</source>
-        <translation>Dieses palpate-cli wurde ohne Leser gebaut und öffnet keine Aufnahmen oder Netze; verwenden Sie --phantom, ein benanntes Werkzeug oder eine CSV-Datei von Punkten, oder den Desktop-Build.</translation>
+        <translation>Dieses palpate-cli wurde ohne Leser gebaut und öffnet keine Aufnahmen oder Gitternetze; verwenden Sie --phantom, ein benanntes Werkzeug oder eine CSV-Datei von Punkten, oder den Desktop-Build.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; holds no rows.</source>
@@ -1561,11 +1557,11 @@
     </message>
     <message>
         <source>A vertex of %1 is not three finite numbers; export the mesh again.</source>
-        <translation>Ein Eckpunkt von %1 besteht nicht aus drei endlichen Zahlen; exportieren Sie das Netz noch einmal.</translation>
+        <translation>Ein Eckpunkt von %1 besteht nicht aus drei endlichen Zahlen; exportieren Sie das Gitternetz noch einmal.</translation>
     </message>
     <message>
         <source>A face of %1 has fewer than three corners or names a vertex that is not there; export the mesh again.</source>
-        <translation>Eine Fläche von %1 hat weniger als drei Ecken oder nennt einen Eckpunkt, den es nicht gibt; exportieren Sie das Netz noch einmal.</translation>
+        <translation>Eine Fläche von %1 hat weniger als drei Ecken oder nennt einen Eckpunkt, den es nicht gibt; exportieren Sie das Gitternetz noch einmal.</translation>
     </message>
     <message>
         <source>The memory of this machine does not hold %1; close other programs, or choose something smaller.</source>
@@ -1641,11 +1637,35 @@
     </message>
     <message>
         <source>%1 cannot be read as a mesh; export it again as binary STL.</source>
-        <translation>%1 lässt sich nicht als Netz lesen; exportieren Sie die Datei noch einmal als binäres STL.</translation>
+        <translation>%1 lässt sich nicht als Gitternetz lesen; exportieren Sie die Datei noch einmal als binäres STL.</translation>
     </message>
     <message>
         <source>ffmpeg ended before the film was whole (%1); check the room on the disk, and that ffmpeg has libx264.</source>
         <translation>ffmpeg endete, bevor der Film vollständig war (%1); prüfen Sie den Platz auf dem Datenträger, und ob ffmpeg libx264 enthält.</translation>
+    </message>
+    <message>
+        <source>The view &quot;%1&quot; belongs to another scan; give the view of this one, or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no ffmpeg, which makes MP4 films; install the package ffmpeg, or let the film&apos;s name end in .ogv.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no surface at the isovalue %1; choose one between %2 and %3, the range of the scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface has %1 triangles, which is more than a file of this format can count; choose another isovalue, or crop the scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface was not written, since a check found that it is not closed, or not turned outwards; choose an isovalue beside this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume %1 of %2. %3</source>
+        <translation>Volumen %1 von %2. %3</translation>
     </message>
 </context>
 <context>
@@ -1720,6 +1740,10 @@
         <source>Reading</source>
         <translation>Wird gelesen</translation>
     </message>
+    <message>
+        <source>The file was not written</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CrashController</name>
@@ -1745,10 +1769,6 @@
     <message>
         <source>Haptic device</source>
         <translation>Haptisches Gerät</translation>
-    </message>
-    <message>
-        <source>&amp;Haptic device</source>
-        <translation>&amp;Haptisches Gerät</translation>
     </message>
     <message>
         <source>%1 will be connected when there is something to touch: open a scan, or try the demo skull.</source>
@@ -1928,6 +1948,10 @@
         <source>Leaves the scan as it is</source>
         <translation>Lässt die Aufnahme, wie sie ist</translation>
     </message>
+    <message>
+        <source>The cut takes %1, which is hatched.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::EditQueue</name>
@@ -2010,6 +2034,10 @@
         <source>The skin is drawn at this isovalue, and a face can be recognised. Raise the isovalue to bone, or give the film only to people with permission to see it.</source>
         <translation>Bei diesem Isowert wird die Haut gezeichnet, und ein Gesicht kann erkannt werden. Erhöhen Sie den Isowert auf Knochen, oder geben Sie den Film nur Personen, die ihn sehen dürfen.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>app::ExportTask</name>
@@ -2067,10 +2095,6 @@
         <source>Hand and tool</source>
         <translation>Hand und Werkzeug</translation>
     </message>
-    <message>
-        <source>Hand and &amp;tool</source>
-        <translation>Hand und Werk&amp;zeug</translation>
-    </message>
 </context>
 <context>
     <name>app::IsosurfaceController</name>
@@ -2079,8 +2103,31 @@
         <translation>Oberfläche</translation>
     </message>
     <message>
-        <source>Isos&amp;urface</source>
-        <translation>Iso&amp;fläche</translation>
+        <source>Isosurface</source>
+        <translation>Isofläche</translation>
+    </message>
+</context>
+<context>
+    <name>app::JournalController</name>
+    <message>
+        <source>Work on this scan was kept, but it cannot be read and was left out: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your work on this scan was not saved when Palpate ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your work on a scan that was open before was not saved when Palpate ended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Continue where you were</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your work is not kept while you work: %1 Save the view instead.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2235,10 +2282,6 @@
         <translation>Leistung</translation>
     </message>
     <message>
-        <source>&amp;Performance</source>
-        <translation>&amp;Leistung</translation>
-    </message>
-    <message>
         <source>The measurement was cancelled.</source>
         <translation>Die Messung wurde abgebrochen.</translation>
     </message>
@@ -2367,16 +2410,12 @@
         <translation>Aufzeichnung</translation>
     </message>
     <message>
-        <source>Recor&amp;ding</source>
-        <translation>Aufzei&amp;chnung</translation>
-    </message>
-    <message>
         <source>The label was not kept: Palpate&apos;s own folder cannot be written; check its permissions and the room on its disk.</source>
         <translation>Die Bezeichnung wurde nicht behalten: Palpates eigener Ordner ist nicht beschreibbar; prüfen Sie seine Zugriffsrechte und den Platz auf dem Datenträger.</translation>
     </message>
     <message>
         <source>Choose a recording in the list on the tab Record; then it can be exported.</source>
-        <translation>Wählen Sie eine Aufzeichnung in der Liste auf dem Reiter Rekorder; dann lässt sie sich exportieren.</translation>
+        <translation>Wählen Sie eine Aufzeichnung in der Liste auf dem Reiter Aufzeichnung; dann lässt sie sich exportieren.</translation>
     </message>
     <message>
         <source>Another window is writing this recording; stop it there.</source>
@@ -2389,6 +2428,10 @@
     <message>
         <source>The recording &quot;%1&quot; was never finished. View &gt; Recording lists it: Recover restores its contents.</source>
         <translation>Die Aufzeichnung „%1“ wurde nie abgeschlossen. Ansicht &gt; Aufzeichnung listet sie auf: Wiederherstellen rettet ihren Inhalt.</translation>
+    </message>
+    <message>
+        <source>Recordin&amp;g</source>
+        <translation>Aufzeic&amp;hnung</translation>
     </message>
 </context>
 <context>
@@ -2476,6 +2519,53 @@
     <message>
         <source>The recording could not be finished: there is no memory left. It can be recovered.</source>
         <translation>Die Aufzeichnung ließ sich nicht abschließen: Es ist kein Speicher mehr frei. Sie lässt sich wiederherstellen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SurfaceController</name>
+    <message>
+        <source>There is no surface yet; open a scan first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A surface is being written; wait for it, or cancel it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at the isovalue %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This surface may show a face.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has the skin, and a face can be recognised. Raise the isovalue to bone, or give the file only to people with permission to see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the surface to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface (*%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was exported.</source>
+        <translation type="unfinished">„%1“ wurde exportiert.</translation>
     </message>
 </context>
 <context>
@@ -2627,6 +2717,18 @@
         <source>The skin is drawn at this isovalue, and a face can be recognised. Raise the isovalue to bone, or give the picture only to people with permission to see it.</source>
         <translation>Bei diesem Isowert wird die Haut gezeichnet, und ein Gesicht kann erkannt werden. Erhöhen Sie den Isowert auf Knochen, oder geben Sie das Bild nur Personen, die es sehen dürfen.</translation>
     </message>
+    <message>
+        <source>3-D view</source>
+        <translation type="unfinished">3-D-Ansicht</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool does not fit where it was: it stays where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::ViewFileController</name>
@@ -2754,6 +2856,38 @@
         <source>The edits of this scan are not saved.</source>
         <translation>Die Bearbeitungen dieser Aufnahme sind nicht gespeichert.</translation>
     </message>
+    <message>
+        <source>CT</source>
+        <translation type="unfinished">CT</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation type="unfinished">Aufnahme</translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tool of %1 comes from a file that was not found; the present tool stays. Load the tool, and open the view again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the scan…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A &amp;folder of slices…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A f&amp;ile…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the scan of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::background::Task</name>
@@ -2768,18 +2902,6 @@
 </context>
 <context>
     <name>app::exporting</name>
-    <message>
-        <source>CSV (Motion-BIDS)</source>
-        <translation>CSV (Motion-BIDS)</translation>
-    </message>
-    <message>
-        <source>Tables as text, laid out as Motion-BIDS asks.</source>
-        <translation>Tabellen als Text, angeordnet, wie Motion-BIDS es verlangt.</translation>
-    </message>
-    <message>
-        <source>Motion-BIDS: files that begin with this name (*)</source>
-        <translation>Motion-BIDS: Dateien, die mit diesem Namen beginnen (*)</translation>
-    </message>
     <message>
         <source>HDF5</source>
         <translation>HDF5</translation>
@@ -2803,6 +2925,18 @@
     <message>
         <source>MCAP (*.mcap)</source>
         <translation>MCAP (*.mcap)</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One table with a line of names, and a file that explains its columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3042,7 +3176,7 @@
     </message>
     <message>
         <source>Meshes (*.stl *.obj *.ply);;All files (*)</source>
-        <translation>Netze (*.stl *.obj *.ply);;Alle Dateien (*)</translation>
+        <translation>Gitternetze (*.stl *.obj *.ply);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>The hand on the tool: the mouse, or a simulated hand</source>
@@ -3073,8 +3207,19 @@
         <translation>%1, %L2</translation>
     </message>
     <message>
-        <source>Voxels</source>
-        <translation>Voxel</translation>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DropArea</name>
+    <message>
+        <source>Drop to open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let go to open</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3292,10 +3437,6 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Draw an outline with the left button, in 3-D or on a slice. It cuts when you let go. Or click its corners; the last one twice.</source>
-        <translation>Ziehen Sie mit der linken Taste einen Umriss, in 3-D oder auf einem Schnittbild. Beim Loslassen wird geschnitten. Oder klicken Sie auf seine Ecken; auf die letzte zweimal.</translation>
-    </message>
-    <message>
         <source>Keep only this</source>
         <translation>Nur dieses behalten</translation>
     </message>
@@ -3403,6 +3544,22 @@
         <source>%L1 edits</source>
         <translation>%L1 Bearbeitungen</translation>
     </message>
+    <message>
+        <source>Draw an outline with the left button, in 3-D or on a slice, or click its corners; the last one twice. What it takes is shown before it is cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes what is hatched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only this piece stays. What is hatched goes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This piece goes: it is hatched.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::ExportDialog</name>
@@ -3417,10 +3574,6 @@
     <message>
         <source>With the contacts of each step</source>
         <translation>Mit den Kontakten jedes Schritts</translation>
-    </message>
-    <message>
-        <source>Write force and time into the picture</source>
-        <translation>Kraft und Zeit ins Bild schreiben</translation>
     </message>
     <message>
         <source>Export a recording</source>
@@ -3531,10 +3684,6 @@
         <translation>%1 in der Sekunde</translation>
     </message>
     <message>
-        <source>The film then shows the force and the time in figures</source>
-        <translation>Der Film zeigt dann die Kraft und die Zeit in Zahlen</translation>
-    </message>
-    <message>
         <source>Camera</source>
         <translation>Kamera</translation>
     </message>
@@ -3545,10 +3694,6 @@
     <message>
         <source>Frames</source>
         <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>A film of the 3-D view.</source>
-        <translation>Ein Film der 3-D-Ansicht.</translation>
     </message>
     <message>
         <source>This is not a number that can be taken here.</source>
@@ -3573,6 +3718,18 @@
     <message>
         <source>Format of the exported recording</source>
         <translation>Format der exportierten Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Show force, its curve and time in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The film then has the force and the time in figures, and the curve of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The 3-D view, with its colours, second surface and marks as now.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3833,6 +3990,10 @@
     <message>
         <source>As in the file: %1 (W %2, L %3)</source>
         <translation>Wie in der Datei: %1 (W %2, C %3)</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4131,6 +4292,10 @@
         <source>The arrow keys move through the page, Tab selects the next link</source>
         <translation>Die Pfeiltasten bewegen die Seite, Tab wählt den nächsten Verweis</translation>
     </message>
+    <message>
+        <source>This page is in English only.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::HelpWindow</name>
@@ -4259,8 +4424,12 @@
 <context>
     <name>ui::Lasso</name>
     <message>
-        <source>Drag: draws the outline that cuts. Or click, or %1 at the crosshair: sets a corner; at the last one again: cuts. %2: takes it back.</source>
-        <translation>Ziehen: zeichnet den Umriss, der schneidet. Oder klicken, oder %1 am Fadenkreuz: setzt eine Ecke; noch einmal auf der letzten: schneidet. %2: nimmt sie zurück.</translation>
+        <source>%1: cuts what is hatched. Escape: keeps it. Drag: draws another outline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag: draws the outline of a cut. Or click, or %1 at the crosshair: sets a corner; at the last one again: closes it. %2: takes it back.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4317,15 +4486,11 @@
     </message>
     <message>
         <source>Mesh: %1</source>
-        <translation>Netz: %1</translation>
+        <translation>Gitternetz: %1</translation>
     </message>
     <message>
         <source>Open a scan</source>
         <translation>Eine Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>Here, with File &gt; Open folder, or by dropping it on the window. Left and right come from the file.</source>
-        <translation>Hier, mit Datei &gt; Ordner öffnen, oder indem Sie sie auf das Fenster ziehen. Links und rechts stehen in der Datei.</translation>
     </message>
     <message>
         <source>Choose the surface</source>
@@ -4333,15 +4498,11 @@
     </message>
     <message>
         <source>Touch it</source>
-        <translation>Tasten</translation>
+        <translation>Berühren</translation>
     </message>
     <message>
         <source>Press %1 and the mouse holds the tool, or drag the tool itself. The tool stops at the surface, and the card shows the force. Escape stops the force at any time.</source>
         <translation>Drücken Sie %1, und die Maus hält das Werkzeug, oder ziehen Sie das Werkzeug selbst. Es bleibt an der Oberfläche stehen, und die Karte zeigt die Kraft. Esc hält die Kraft jederzeit an.</translation>
-    </message>
-    <message>
-        <source>Not a medical device</source>
-        <translation>Kein Medizinprodukt</translation>
     </message>
     <message>
         <source>Details</source>
@@ -4374,6 +4535,14 @@
     <message>
         <source>The dropped item is not on this machine&apos;s disks; copy it there first.</source>
         <translation>Das abgelegte Objekt ist nicht auf den Datenträgern dieses Rechners; kopieren Sie es zuerst dorthin.</translation>
+    </message>
+    <message>
+        <source>Here, with File &gt; Open file, or by dropping it on the window. Left and right come from the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not a medical device. Not for treatment.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4471,16 +4640,16 @@
         <translation>Am Werkzeug beginnen</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Not for treatment.&lt;/b&gt; ± is the accuracy that the voxels allow.</source>
-        <translation>&lt;b&gt;Nicht zur Behandlung.&lt;/b&gt; ± ist die Genauigkeit, die die Voxel zulassen.</translation>
-    </message>
-    <message>
         <source>Press at the place to read</source>
         <translation>Drücken Sie an der Stelle, die gelesen werden soll</translation>
     </message>
     <message>
         <source>%1 shows the place, %2 renames, %3 deletes</source>
         <translation>%1 zeigt die Stelle, %2 benennt um, %3 löscht</translation>
+    </message>
+    <message>
+        <source>± is the accuracy that the voxels allow.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4572,10 +4741,6 @@
         <translation>Einen Ordner mit Schichten öffnen</translation>
     </message>
     <message>
-        <source>From &amp;PACS…</source>
-        <translation>Aus &amp;PACS…</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
@@ -4594,10 +4759,6 @@
     <message>
         <source>Recordings (*.palpate)</source>
         <translation>Aufzeichnungen (*.palpate)</translation>
-    </message>
-    <message>
-        <source>&amp;Export recording…</source>
-        <translation>Aufzeichnung e&amp;xportieren…</translation>
     </message>
     <message>
         <source>Open &amp;view…</source>
@@ -4652,22 +4813,6 @@
         <translation>Anordnung der Ansichten</translation>
     </message>
     <message>
-        <source>Drawing of the &amp;surface</source>
-        <translation>Zeichnen der &amp;Oberfläche</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Ray casting</source>
-        <translation>Raycasting</translation>
-    </message>
-    <message>
-        <source>Mesh</source>
-        <translation>Netz</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
@@ -4685,7 +4830,7 @@
     </message>
     <message>
         <source>&amp;About Palpate</source>
-        <translation>Ü&amp;ber Palpate</translation>
+        <translation>Übe&amp;r Palpate</translation>
     </message>
     <message>
         <source>&amp;One view</source>
@@ -4767,6 +4912,42 @@
         <source>&lt;p&gt;&lt;b&gt;Force off&lt;/b&gt;: Escape anywhere, Space in the 3-D view, or the stop button. Without motors the first Escape closes what is open.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptic device&lt;/b&gt; (View &gt; Haptic device): Connect, then Arm. While %1 is held in the 3-D view the tool stays and the hand moves freely; with hold-to-run, the force is on while %2 is held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Mouse&lt;/b&gt;: it turns the picture until you take the tool (%3, or the button), and then moves the tool. The tool itself can be dragged at any time.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Measures&lt;/b&gt;: click where the places are, or drag a distance. Handles can be dragged in every view.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Slices&lt;/b&gt;: a right click, the key %4 or the button in the corner opens the choices: windows, slabs, contour, following the tool, the view down the tool.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Replay&lt;/b&gt;: on its bar, ▼ are marks, ◆ settings, ■ scene and camera, ● force and device, × samples lost and ticks late.&lt;/p&gt;&lt;p&gt;Keys can be changed: Edit &gt; Preferences, Shortcuts.&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;b&gt;Kraft aus&lt;/b&gt;: Esc überall, die Leertaste in der 3-D-Ansicht oder der Stoppknopf. Ohne Motoren schließt das erste Esc, was offen ist.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Haptisches Gerät&lt;/b&gt; (Ansicht &gt; Haptisches Gerät): Verbinden, dann Freigeben. Solange %1 in der 3-D-Ansicht gehalten wird, bleibt das Werkzeug stehen, und die Hand bewegt sich frei; mit Zustimmtaste ist die Kraft ein, solange %2 gehalten wird.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maus&lt;/b&gt;: Sie dreht das Bild, bis Sie das Werkzeug nehmen (%3 oder der Knopf), und bewegt dann das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Maße&lt;/b&gt;: Klicken Sie auf die Stellen, oder ziehen Sie einen Abstand. Griffe lassen sich in jeder Ansicht ziehen.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Schnittbilder&lt;/b&gt;: Ein Rechtsklick, die Taste %4 oder der Knopf in der Ecke öffnet die Auswahl: Fensterung, Slabs, Kontur, dem Werkzeug folgen, der Blick entlang des Werkzeugs.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Wiedergabe&lt;/b&gt;: Auf ihrer Leiste sind ▼ Marken, ◆ Einstellungen, ■ Szene und Kamera, ● Kraft und Gerät, × verlorene Abtastwerte und verspätete Takte.&lt;/p&gt;&lt;p&gt;Tasten lassen sich ändern: Bearbeiten &gt; Einstellungen, Tastenkürzel.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Opens a folder of slices</source>
+        <translation type="unfinished">Öffnet einen Ordner mit Schichten</translation>
+    </message>
+    <message>
+        <source>From PA&amp;CS…</source>
+        <translation>Aus &amp;PACS…</translation>
+    </message>
+    <message>
+        <source>E&amp;xport recording…</source>
+        <translation>Aufzeichnung e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Save vie&amp;w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export sur&amp;face…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drawing of the surface</source>
+        <translation>Zeichnen der &amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>&amp;Ray casting</source>
+        <translation>&amp;Raycasting</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation>&amp;Gitternetz</translation>
+    </message>
 </context>
 <context>
     <name>ui::Messages</name>
@@ -4809,6 +4990,26 @@
     <message>
         <source>Keep hands and face clear of a device until it is at rest. Escape takes the force away at any time.</source>
         <translation>Halten Sie Hände und Gesicht von einem Gerät fern, bis es ruht. Esc nimmt die Kraft jederzeit weg.</translation>
+    </message>
+    <message>
+        <source>Not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file is still being written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window can close while it is finished in the background. If it is stopped, no file remains.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Finish in the background</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop it</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5045,10 +5246,6 @@
         <translation>Datum</translation>
     </message>
     <message>
-        <source>A day as 20240305, or a span as 20240301-20240331, either end left out</source>
-        <translation>Ein Tag wie 20240305 oder eine Spanne wie 20240301-20240331, jedes Ende kann fehlen</translation>
-    </message>
-    <message>
         <source>Modality</source>
         <translation>Modalität</translation>
     </message>
@@ -5219,6 +5416,10 @@
     <message>
         <source>from the keyring</source>
         <translation>aus dem Schlüsselbund</translation>
+    </message>
+    <message>
+        <source>A day, or the first and the last with a hyphen between them, either left out: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5478,7 +5679,7 @@
     </message>
     <message>
         <source>Touch</source>
-        <translation>Tasten</translation>
+        <translation>Abtasten</translation>
     </message>
     <message>
         <source>Begin each time with the &amp;stiffness</source>
@@ -5533,16 +5734,8 @@
         <translation>&amp;Letzte Orte merken</translation>
     </message>
     <message>
-        <source>Keeps the eight newest folders and files for File &gt; Open recent; off forgets them</source>
-        <translation>Behält die acht neuesten Ordner und Dateien für Datei &gt; Zuletzt geöffnet; aus vergisst sie</translation>
-    </message>
-    <message>
         <source>&amp;Forget them now</source>
         <translation>&amp;Jetzt vergessen</translation>
-    </message>
-    <message>
-        <source>Removes the recent places from the preferences at once</source>
-        <translation>Entfernt die letzten Orte sofort aus den Einstellungen</translation>
     </message>
     <message>
         <source>Shortcuts</source>
@@ -5644,6 +5837,18 @@
         <source>Palpate keeps no name, no date and no picture of a scan, and uses the network only if you open a scan from a PACS. It asks before it saves or copies a picture that may show a face.</source>
         <translation>Palpate behält keinen Namen, kein Datum und kein Bild einer Aufnahme und verwendet das Netzwerk nur, wenn Sie eine Aufnahme aus einem PACS öffnen. Es fragt, bevor es ein Bild speichert oder kopiert, das ein Gesicht zeigen kann.</translation>
     </message>
+    <message>
+        <source>Keeps the eight newest folders and files for File &gt; Open recent, and your work on scans until you save or discard it; off forgets both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes the recent places and the work that was kept at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>While you work, marks, notes and edits are kept in your own folder, for your eyes alone, and offered again if Palpate ends before you saved them. Notes are kept as you wrote them.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::RecordingLines</name>
@@ -5706,14 +5911,6 @@
     <message>
         <source>Begins a recording of every tick, or ends it</source>
         <translation>Beginnt eine Aufzeichnung jedes Takts, oder beendet sie</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Abtastwerte</translation>
-    </message>
-    <message>
-        <source>Gaps</source>
-        <translation>Lücken</translation>
     </message>
     <message>
         <source>Size</source>
@@ -5823,6 +6020,14 @@
         <source>Restores a recording that was never finished</source>
         <translation>Stellt eine nie abgeschlossene Aufzeichnung wieder her</translation>
     </message>
+    <message>
+        <source>Recorded ticks</source>
+        <translation>Aufgezeichnete Takte</translation>
+    </message>
+    <message>
+        <source>Breaks</source>
+        <translation>Lücken</translation>
+    </message>
 </context>
 <context>
     <name>ui::ReplayBar</name>
@@ -5833,14 +6038,6 @@
     <message>
         <source>Time</source>
         <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>−1 tick</source>
-        <translation>−1 Takt</translation>
-    </message>
-    <message>
-        <source>+1 tick</source>
-        <translation>+1 Takt</translation>
     </message>
     <message>
         <source>One tick back</source>
@@ -5901,6 +6098,14 @@
     <message>
         <source>Shows a mark that was set during the recording</source>
         <translation>Zeigt eine Marke, die bei der Aufzeichnung gesetzt wurde</translation>
+    </message>
+    <message>
+        <source>Step back</source>
+        <translation>Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Step on</source>
+        <translation>Schritt vor</translation>
     </message>
 </context>
 <context>
@@ -6007,6 +6212,37 @@
     <message>
         <source>Click or drag to choose the time; point at an event for its name</source>
         <translation>Klicken oder ziehen Sie, um die Zeit zu wählen; zeigen Sie auf ein Ereignis, um seinen Namen zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SecondSurface</name>
+    <message>
+        <source>Isovalue of the second surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The intensity of the second surface, which is seen and not felt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity of the second surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of what lies behind it the second surface hides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6244,7 +6480,7 @@
     </message>
     <message>
         <source>Touch</source>
-        <translation>Tasten</translation>
+        <translation>Abtasten</translation>
     </message>
     <message>
         <source>Device</source>
@@ -6252,7 +6488,7 @@
     </message>
     <message>
         <source>Record</source>
-        <translation>Rekorder</translation>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>The haptic device</source>
@@ -6274,20 +6510,16 @@
 <context>
     <name>ui::SliceSet</name>
     <message>
-        <source>S&amp;lices</source>
-        <translation>Schn&amp;ittbilder</translation>
-    </message>
-    <message>
         <source>&amp;Show all slices whole</source>
         <translation>Alle Schnittbilder ganz &amp;zeigen</translation>
     </message>
     <message>
         <source>&amp;Contour of the touched surface</source>
-        <translation>&amp;Kontur der getasteten Oberfläche</translation>
+        <translation>&amp;Kontur der berührten Oberfläche</translation>
     </message>
     <message>
         <source>Cross&amp;hair</source>
-        <translation>Faden&amp;kreuz</translation>
+        <translation>Fa&amp;denkreuz</translation>
     </message>
     <message>
         <source>&amp;Follow the tool</source>
@@ -6315,7 +6547,7 @@
     </message>
     <message>
         <source>&amp;Window and level</source>
-        <translation>&amp;Fensterung</translation>
+        <translation>Fenste&amp;rung</translation>
     </message>
     <message>
         <source>%1 (W %2, L %3)</source>
@@ -6339,7 +6571,7 @@
     </message>
     <message>
         <source>As they a&amp;re</source>
-        <translation>Wie sie s&amp;ind</translation>
+        <translation>&amp;Wie sie sind</translation>
     </message>
     <message>
         <source>&amp;One plane</source>
@@ -6351,7 +6583,7 @@
     </message>
     <message>
         <source>Thick slab: m&amp;ean</source>
-        <translation>Slab: M&amp;ittelwert</translation>
+        <translation>Slab: Mi&amp;ttelwert</translation>
     </message>
     <message>
         <source>%1 thick</source>
@@ -6401,6 +6633,34 @@
         <source>at its tip</source>
         <translation>an seiner Spitze</translation>
     </message>
+    <message>
+        <source>Sl&amp;ices</source>
+        <translation>Schn&amp;ittbilder</translation>
+    </message>
+    <message>
+        <source>Fit all slices to the &amp;body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Level and width…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thick slab: m&amp;inimum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level and width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::SliceView</name>
@@ -6429,10 +6689,6 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Wheel: slices. Drag: crosshair. Right drag: brightness, contrast. Ctrl and wheel: nearer. Middle drag: shifts.</source>
-        <translation>Rad: Schichten. Ziehen: Fadenkreuz. Rechts ziehen: Helligkeit, Kontrast. Strg und Rad: näher. Mitte ziehen: verschiebt.</translation>
-    </message>
-    <message>
         <source>maximum of %1</source>
         <translation>Maximum von %1</translation>
     </message>
@@ -6447,6 +6703,14 @@
     <message>
         <source>left/right unknown</source>
         <translation>links/rechts unbekannt</translation>
+    </message>
+    <message>
+        <source>Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minimum of %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6570,7 +6834,7 @@
     </message>
     <message>
         <source>mesh</source>
-        <translation>Netz</translation>
+        <translation>Gitternetz</translation>
     </message>
     <message>
         <source>Surface: %1 (%2)</source>
@@ -6598,6 +6862,89 @@
     <message>
         <source>Zero force at once (Escape anywhere, Space in the 3-D view)</source>
         <translation>Sofort keine Kraft (Esc überall, die Leertaste in der 3-D-Ansicht)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SurfaceDialog</name>
+    <message>
+        <source>With the parts that were removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directions of x, y and z in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LPS: left, posterior, superior (as in DICOM)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RAS: right, anterior, superior (as in NIfTI)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which connected parts are written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the largest alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the surface of the whole scan, as before all edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished">Oberfläche</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished">Format</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation type="unfinished">Stücke</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished">Größe</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation type="unfinished">Exportieren…</translation>
+    </message>
+    <message>
+        <source>Asks for the file, then writes it</source>
+        <translation type="unfinished">Fragt nach der Datei und schreibt sie dann</translation>
+    </message>
+    <message>
+        <source>Writes nothing</source>
+        <translation type="unfinished">Schreibt nichts</translation>
+    </message>
+    <message>
+        <source>The triangles are being counted…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 triangles, about %2 MB</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6745,6 +7092,10 @@
         <source>Resume</source>
         <translation>Fortsetzen</translation>
     </message>
+    <message>
+        <source>%1 · %2 kHz</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::Tour</name>
@@ -6805,16 +7156,12 @@
 <context>
     <name>ui::ViewActions</name>
     <message>
-        <source>Save &amp;picture…</source>
-        <translation>&amp;Bild speichern…</translation>
-    </message>
-    <message>
         <source>Saves a picture of the view or the window</source>
         <translation>Speichert ein Bild der Ansicht oder des Fensters</translation>
     </message>
     <message>
         <source>Cop&amp;y picture</source>
-        <translation>Bild &amp;kopieren</translation>
+        <translation>Bi&amp;ld kopieren</translation>
     </message>
     <message>
         <source>Copies a picture of the 3-D view</source>
@@ -6861,14 +7208,6 @@
         <translation>Entlang &amp;des Werkzeugs</translation>
     </message>
     <message>
-        <source>&amp;Parallel projection</source>
-        <translation>&amp;Parallelprojektion</translation>
-    </message>
-    <message>
-        <source>P&amp;resets</source>
-        <translation>&amp;Voreinstellungen</translation>
-    </message>
-    <message>
         <source>A starting point, not a threshold for diagnosis</source>
         <translation>Ein Anfang, keine Schwelle für eine Diagnose</translation>
     </message>
@@ -6905,20 +7244,32 @@
         <translation>Werkzeug nehmen</translation>
     </message>
     <message>
-        <source>Tool to cross&amp;hair</source>
-        <translation>Werkzeug zum Faden&amp;kreuz</translation>
-    </message>
-    <message>
-        <source>Crosshair to too&amp;l</source>
-        <translation>Fadenkreuz zum Werk&amp;zeug</translation>
-    </message>
-    <message>
-        <source>Co&amp;ntacts and force</source>
-        <translation>Kon&amp;takte und Kraft</translation>
-    </message>
-    <message>
         <source>The mouse holds the tool. The tool itself can be dragged at any time</source>
         <translation>Die Maus hält das Werkzeug. Das Werkzeug selbst lässt sich jederzeit ziehen</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve picture…</source>
+        <translation>Bild spei&amp;chern…</translation>
+    </message>
+    <message>
+        <source>Parallel pro&amp;jection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>&amp;Presets</source>
+        <translation>&amp;Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>T&amp;ool to crosshair</source>
+        <translation>Werk&amp;zeug zum Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Crosshair to tool</source>
+        <translation>Fadenkreuz zum Werkzeug</translation>
+    </message>
+    <message>
+        <source>Contacts and &amp;force</source>
+        <translation>Kon&amp;takte und Kraft</translation>
     </message>
 </context>
 <context>
@@ -6942,6 +7293,26 @@
     <message>
         <source>Show this view alone</source>
         <translation>Diese Ansicht allein zeigen</translation>
+    </message>
+    <message>
+        <source>Fit to the body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow the tool</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the body as large as it can be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices go with the tool. A click lets them stay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The slices stay. A click lets them go with the tool</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7522,6 +7893,42 @@
     <message>
         <source>turns the tool by 5 degrees</source>
         <translation>dreht das Werkzeug um 5 Grad</translation>
+    </message>
+    <message>
+        <source>fits the body into the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey window: soft tissue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey window: bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey window: lung</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey window: brain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey window: mediastinum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey window: temporal bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey window: as at first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes level and width as numbers</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -48,6 +48,27 @@ def check_pages(root):
     return wrong
 
 
+def headings(page):
+    return [len(marks) for marks in re.findall(r"^(#+) ", page.read_text(), re.M)]
+
+
+def check_translations(root):
+    """Links name English headings, so a translated page has as many, of the same levels, and the same links."""
+    wrong = []
+    for page in sorted((root / "resources/help").glob("*/*.md")):
+        name = f"{page.parent.name}/{page.name}"
+        english = root / "resources/help" / page.name
+        if not english.exists():
+            wrong.append(f"{name} translates no page")
+            continue
+        if headings(page) != headings(english):
+            wrong.append(f"{name} has other headings than {page.name}")
+        links = [sorted(set(re.findall(r"\]\(([^)]+)\)", one.read_text()))) for one in (page, english)]
+        if links[0] != links[1]:
+            wrong.append(f"{name} has other links than {page.name}")
+    return wrong
+
+
 def check_panels(root):
     """Each section that a controller adds has a line in ui/dialogs/help_window.cpp, with a page that is there."""
     table = (root / "ui/dialogs/help_window.cpp").read_text()
@@ -94,7 +115,7 @@ def check_syntaxes(root):
 def check(root):
     reasons, wrong = check_reasons(root)
     panels, of_panels = check_panels(root)
-    wrong += check_pages(root) + of_panels + check_hazards(root) + check_syntaxes(root)
+    wrong += check_pages(root) + check_translations(root) + of_panels + check_hazards(root) + check_syntaxes(root)
     for line in wrong:
         print(line)
     print(f"{reasons} reasons, {panels} panels, {len(wrong)} wrong.")
@@ -120,6 +141,8 @@ def plant(scratch):
     assert check(scratch) == (2, 1, []), "something was found that is not wrong"
     write("resources/help/messages.md", good.replace(", `bad-header`", "") + "\n## Other\n\n`truncated`\n")
     write("resources/help/two.md", "Two\n")
+    write("resources/help/de/one.md", "# Eins\n\n## Mehr\n\n[m](messages.md)\n")
+    write("resources/help/de/three.md", "# Drei\n")
     write("app/window/two.cpp", 'panels.add(p, tr("Two"), tr("T"),\n "twoSection", ui::Tab::Scan);')
     write("resources/help/hazards.md", "# H\n`Hazards.IsThere` `Hazards.IsNot`\n")
     write("tests/one.cpp", "TEST(Hazards, IsThere) {}\n")
@@ -128,7 +151,7 @@ def plant(scratch):
     wrong = check(scratch)[2]
     for part in ("no test Hazards.IsNot", "differ on 1.2.840.10008.1.2.1", "'Other' lacks", "'truncated' has two entries",
                  "no entry of the reason 'bad-header'", "index.md does not list two.md",
-                 "two.md does not begin", "no page for the panel 'twoSection'"):
+                 "two.md does not begin", "de/one.md has other headings", "de/one.md has other links", "de/three.md translates no page", "no page for the panel 'twoSection'"):
         assert any(part in line for line in wrong), (part, wrong)
 
 

@@ -70,7 +70,10 @@ def check(root):
             followed += 1
             place = f"{path.relative_to(root)}:{text.count(chr(10), 0, link.start()) + 1}"
             name, _, anchor = target.partition("#")
-            end = path.parent / urllib.parse.unquote(name) if name else path
+            # a translated page of the help has the links of its English one, as the window resolves them
+            help_folder = root / "resources/help"
+            like = help_folder / path.name if path.parent.parent == help_folder else path
+            end = like.parent / urllib.parse.unquote(name) if name else like
             if not end.exists():
                 wrong.append(f"{place}: '{target}' is not there")
             elif root.resolve() not in (end.resolve(), *end.resolve().parents):

@@ -16,6 +16,8 @@ static void initTranslations() { Q_INIT_RESOURCE(translations); }
 namespace ui {
 namespace {
 
+QString spoken_language = QStringLiteral("en");
+
 bool isSpoken(const QString& code) {
   return std::ranges::any_of(
       kLanguages, [&](const Language& language) { return code == QLatin1String(language.code); });
@@ -42,18 +44,20 @@ QString languageFor(const QString& chosen, const QStringList& system_prefers) {
 void setLanguage(const QString& code) {
   initTranslations();
   QLocale locale = QLocale::system();
-  const QString language = languageFor(code, locale.uiLanguages());
-  if (isSpoken(code) && locale.language() != QLocale(language).language())
-    locale = QLocale(language);
+  const QString wanted = languageFor(code, locale.uiLanguages());
+  if (isSpoken(code) && locale.language() != QLocale(wanted).language()) locale = QLocale(wanted);
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   QLocale::setDefault(locale);
   // Qt has set it from the environment, where it changes what readers take for a number
   std::setlocale(LC_NUMERIC, "C");
   static std::vector<std::unique_ptr<QTranslator>> spoken;
   spoken.clear();
-  if (language == QLatin1String("en")) return;
-  install(spoken, "qtbase_" + language, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-  install(spoken, "palpate_" + language, QStringLiteral(":/translations"));
+  spoken_language = wanted;
+  if (wanted == QLatin1String("en")) return;
+  install(spoken, "qtbase_" + wanted, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+  install(spoken, "palpate_" + wanted, QStringLiteral(":/translations"));
 }
+
+QString language() { return spoken_language; }
 
 }  // namespace ui

@@ -25,5 +25,7 @@ QString languageFor(const QString& chosen, const QStringList& system_prefers);
 /// one. The C library's numbers stay English, for files. Call it after the QApplication was made:
 /// widgets that are there keep their words.
 void setLanguage(const QString& code);
+/// The code of the language that is set.
+QString language();
 
 }  // namespace ui

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "ui/controls/language.h"
+
 namespace ui {
 namespace {
 
@@ -31,9 +33,23 @@ constexpr std::pair<const char*, const char*> kPages[] = {
     {"startPage", "first-touch"},          {"views", "views"},
     {"preferencesWindow", "preferences"},  {"series", "opening"}};
 
-QString textOf(const QString& page) {
-  QFile file(QStringLiteral(":/help/%1.md").arg(page));
+QString contentOf(const QString& file_name) {
+  QFile file(file_name);
   return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString{};
+}
+
+QString englishOf(const QString& page) {
+  return contentOf(QStringLiteral(":/help/%1.md").arg(page));
+}
+
+/// A page in the language of the window; empty if it is in English alone.
+QString translatedOf(const QString& page) {
+  return contentOf(QStringLiteral(":/help/%1/%2.md").arg(language(), page));
+}
+
+QString textOf(const QString& page) {
+  const QString translated = translatedOf(page);
+  return translated.isEmpty() ? englishOf(page) : translated;
 }
 
 QString titleOf(const QString& page) { return textOf(page).section('\n', 0, 0).mid(2); }
@@ -49,6 +65,19 @@ QString anchorOf(const QString& heading) {
   static const QRegularExpression other(QStringLiteral("[^\\w\\- ]"),
                                         QRegularExpression::UseUnicodePropertiesOption);
   return heading.toLower().remove(other).replace(' ', '-');
+}
+
+/// The number of the heading that links name so, from 0; -1: there is none. Links name the English
+/// headings, and a translated page has as many, in their order.
+int headingOf(const QString& page, const QString& anchor) {
+  int number = 0;
+  for (const QString& line : englishOf(page).split('\n')) {
+    const qsizetype text = line.indexOf(QLatin1String("# "));
+    if (text < 0 || line.left(text).count('#') != text) continue;
+    if (anchorOf(line.mid(text + 2).remove('`')) == anchor) return number;
+    ++number;
+  }
+  return -1;
 }
 
 /// How well a page answers these words: 0 where one of them is not there at all, more for each that
@@ -82,7 +111,7 @@ QString helpPlaceOf(std::string_view reason) {
   if (reason.empty()) return {};
   const QString word = QStringLiteral("`%1`").arg(QLatin1String(reason.data(), reason.size()));
   QString heading;
-  for (const QString& line : textOf("messages").split('\n'))
+  for (const QString& line : englishOf("messages").split('\n'))
     if (line.startsWith(QLatin1String("## ")))
       heading = line.mid(3);
     else if (line.startsWith('`') && line.contains(word))
@@ -118,10 +147,22 @@ void HelpPage::doSetSource(const QUrl& url, QTextDocument::ResourceType) {
   found_ = goTo(source().fragment());
 }
 
+QVariant HelpPage::loadResource(int type, const QUrl& name) {
+  if (!name.path().endsWith(QLatin1String(".md"))) return QTextBrowser::loadResource(type, name);
+  const QString page = name.fileName().section('.', 0, 0);
+  const QString text = textOf(page);
+  if (language() == QLatin1String("en") || !translatedOf(page).isEmpty()) return text.toUtf8();
+  return QString(text)
+      .insert(text.indexOf('\n') + 1, "\n> " + tr("This page is in English only.") + '\n')
+      .toUtf8();
+}
+
 bool HelpPage::goTo(const QString& anchor) {
   if (anchor.isEmpty()) return true;
+  int wanted = headingOf(page(), anchor);
+  if (wanted < 0) return false;
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
-    if (block.blockFormat().headingLevel() == 0 || anchorOf(block.text()) != anchor) continue;
+    if (block.blockFormat().headingLevel() == 0 || wanted-- > 0) continue;
     const QTextCursor cursor(block);
     // from the end, so that the place comes to the top of the page
     moveCursor(QTextCursor::End);

@@ -22,8 +22,8 @@ QString helpPlaceOf(std::string_view reason);
 /// The names of all pages, in the order of the contents.
 QStringList helpPages();
 
-/// Shows one page of resources/help. A place is a page, and behind a "#" a heading in small letters
-/// with hyphens.
+/// Shows one page of resources/help, in the window's language where there is one. A place is a
+/// page, and behind a "#" its English heading in small letters with hyphens.
 class HelpPage : public QTextBrowser {
   Q_OBJECT
  public:
@@ -31,6 +31,7 @@ class HelpPage : public QTextBrowser {
   /// False if there is no such page, or no such place on it; then the page is shown from its top.
   bool open(const QString& place);
   QString page() const;
+  QVariant loadResource(int type, const QUrl& name) override;
 
  protected:
   void doSetSource(const QUrl& url, QTextDocument::ResourceType type) override;

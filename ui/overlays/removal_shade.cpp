@@ -97,7 +97,9 @@ QImage RemovalShade::shaded(const QImage& parts) const {
   const int width = parts.width(), height = parts.height();
   QImage image(parts.size(), QImage::Format_ARGB32_Premultiplied);
   const uchar hatched = fate_ == Fate::Goes ? kWithin : fate_ == Fate::Stays ? kBeside : uchar{255};
-  const QRgb fill = premultiplied(kFillAlpha), hatch = premultiplied(kHatchAlpha),
+  // of all but a piece less, since it is much
+  const int share = fate_ == Fate::Stays ? 2 : 1;
+  const QRgb fill = premultiplied(kFillAlpha / share), hatch = premultiplied(kHatchAlpha / share),
              edge = premultiplied(kEdgeAlpha);
   for (int y = 0; y < height; ++y) {
     auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));

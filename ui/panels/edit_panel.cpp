@@ -10,8 +10,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -416,6 +418,12 @@ void EditPanel::showPreview(const QString& words, EditConfirm confirm) {
   remove_piece_->setVisible(confirm == EditConfirm::Piece);
   remove_->setVisible(confirm != EditConfirm::Piece);
   preview_->show();
+  // its buttons are in sight, wherever the panel was scrolled to
+  QTimer::singleShot(0, this, [this] {
+    for (QWidget* part = parentWidget(); part != nullptr; part = part->parentWidget())
+      if (auto* scroll = qobject_cast<QScrollArea*>(part))
+        return scroll->ensureWidgetVisible(preview_, 0, 0);
+  });
 }
 
 bool EditPanel::eventFilter(QObject* watched, QEvent* event) {

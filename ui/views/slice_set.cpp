@@ -79,7 +79,7 @@ void SliceSet::openMenu(SliceView& over, QPoint at) {
 }
 
 void SliceSet::buildMenu() {
-  menu_->setTitle(tr("S&lices"));
+  menu_->setTitle(tr("Sl&ices"));
   menu_->setObjectName("slicesMenu");
   QAction* reset = menu_->addAction(tr("&Show all slices whole"), this, [this] {
     for (SliceView* slice : slices_) slice->resetView();

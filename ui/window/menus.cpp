@@ -67,7 +67,7 @@ void Menus::buildFileMenu() {
   folder->setObjectName("openFolder");
   bar_.add(BarGroup::File, *folder, "open");
   giveKeys(*folder, Action::OpenFolder, tr("Opens a folder of slices"));
-  file->addAction(tr("From &PACS…"), this, &Menus::pacsWanted)->setObjectName("fromPacs");
+  file->addAction(tr("From PA&CS…"), this, &Menus::pacsWanted)->setObjectName("fromPacs");
   recent_ = file->addMenu(tr("Open &recent"));
   recent_->setObjectName("recent");
   recent_->setToolTipsVisible(true);
@@ -78,7 +78,7 @@ void Menus::buildFileMenu() {
         &Menus::recordingWanted);
   });
   recording->setObjectName("openRecordingFile");
-  file->addAction(tr("&Export recording…"), this, &Menus::exportWanted)
+  file->addAction(tr("E&xport recording…"), this, &Menus::exportWanted)
       ->setObjectName("exportRecordingAction");
   file->addSeparator();
   QAction* view = file->addAction(tr("Open &view…"), this, [ask] {
@@ -126,7 +126,7 @@ void Menus::buildViewMenu() {
   for (QAction* action : views_.slices().menu().actions())
     if (action->objectName() == QLatin1String("showCrosshair"))
       bar_.add(BarGroup::Views, *action, "crosshair");
-  QMenu* surface = view_->addMenu(tr("Drawing of the &surface"));
+  QMenu* surface = view_->addMenu(tr("&Drawing of the surface"));
   VolumeView& volume = views_.volume();
   surface->setObjectName("surfaceMenu");
   auto* means = new QActionGroup(this);

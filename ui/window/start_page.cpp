@@ -231,7 +231,10 @@ QWidget* StartPage::makeCards() {
   column->setSpacing(style::kEdge);
   column->addWidget(purpose);
   grid_ = new QGridLayout;
-  column->addLayout(grid_);
+  auto* row = new QHBoxLayout;  // what the cards leave stays empty
+  row->addLayout(grid_, 1000);
+  row->addStretch(1);
+  column->addLayout(row);
   grid_->setSpacing(style::kEdge);
   for (Card* card : {open, demo, device}) {
     card->finish();
@@ -247,8 +250,7 @@ void StartPage::arrange(int columns) {
     grid_->removeWidget(all_[n]);
     grid_->addWidget(all_[n], n / columns, n % columns);
   }
-  for (int n = 0; n <= all_.size(); ++n) grid_->setColumnStretch(n, n < columns ? 3 : 0);
-  grid_->setColumnStretch(int(all_.size()), 1);  // the rest stays empty
+  for (int n = 0; n < all_.size(); ++n) grid_->setColumnStretch(n, n < columns ? 1 : 0);
   columns_ = columns;
 }
 

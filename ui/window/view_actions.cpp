@@ -18,7 +18,7 @@ ViewActions::ViewActions(QMenu& menu, TopBar& bar, VolumeView& view) : view_(vie
   buildColours(menu);
   buildTool(menu, bar);
   menu.addSeparator();
-  QAction* picture = menu.addAction(tr("Save &picture…"), this, &ViewActions::pictureWanted);
+  QAction* picture = menu.addAction(tr("Sa&ve picture…"), this, &ViewActions::pictureWanted);
   picture->setObjectName("savePicture");
   giveKeys(*picture, Action::SavePicture, tr("Saves a picture of the view or the window"));
   bar.add(BarGroup::Tools, *picture, "camera");
@@ -48,7 +48,7 @@ void ViewActions::buildSides(QMenu& menu) {
           Action::LookFromTool);
   showKey(*menu.addAction(tr("&Along the tool"), &view_, &VolumeView::lookAlongTool),
           Action::LookAlongTool);
-  QAction* parallel = menu.addAction(tr("&Parallel projection"));
+  QAction* parallel = menu.addAction(tr("Parallel pro&jection"));
   showKey(*parallel, Action::ParallelProjection);
   parallel->setObjectName("parallel");
   parallel->setCheckable(true);
@@ -58,7 +58,7 @@ void ViewActions::buildSides(QMenu& menu) {
 }
 
 void ViewActions::buildColours(QMenu& menu) {
-  presets_ = menu.addMenu(tr("P&resets"));
+  presets_ = menu.addMenu(tr("&Presets"));
   presets_->setObjectName("tissuePresets");
   presets_->setToolTipsVisible(true);
   for (const Tissue tissue : kTissues) {
@@ -119,14 +119,14 @@ void ViewActions::buildTool(QMenu& menu, TopBar& bar) {
           [take](MouseMode mode) { take->setChecked(mode == MouseMode::Hand); });
   bar.add(BarGroup::Tools, *take, "hand");
   QAction* to_cross =
-      menu.addAction(tr("Tool to cross&hair"), &view_, &VolumeView::toolToCrossWanted);
+      menu.addAction(tr("T&ool to crosshair"), &view_, &VolumeView::toolToCrossWanted);
   to_cross->setObjectName("toolToCross");
   showKey(*to_cross, Action::ToolToCross);
   QAction* to_tool =
-      menu.addAction(tr("Crosshair to too&l"), &view_, &VolumeView::crossToToolWanted);
+      menu.addAction(tr("Crosshair to tool"), &view_, &VolumeView::crossToToolWanted);
   to_tool->setObjectName("crossToTool");
   showKey(*to_tool, Action::CrossToTool);
-  QAction* contacts = menu.addAction(tr("Co&ntacts and force"));
+  QAction* contacts = menu.addAction(tr("Contacts and &force"));
   contacts->setObjectName("showContacts");
   contacts->setCheckable(true);
   connect(contacts, &QAction::toggled, &view_, &VolumeView::showContacts);

@@ -44,7 +44,7 @@ DeviceController::DeviceController(ui::Views& views, ui::Messages& messages, ui:
       shared_(shared),
       panel_(new ui::HapticDevicePanel),
       watch_(std::move(catalogue)) {
-  panels.add(panel_, tr("Haptic device"), tr("&Haptic device"), "deviceSection", ui::Tab::Device);
+  panels.add(panel_, tr("Haptic device"), tr("Haptic device"), "deviceSection", ui::Tab::Device);
   connect(&start, &ui::StartPage::deviceWanted, this, [this] { panels_.reveal(panel_); });
   connectPanel();
   map(preferences.present().mapping);

@@ -84,7 +84,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
         loading_.begin(tr("Saving"));
         loading_.advance(fraction);
       }) {
-  window.panels().add(panel_, tr("Remove parts"), tr("R&emove parts"), "editSection",
+  window.panels().add(panel_, tr("Remove parts"), tr("Remove parts"), "editSection",
                       ui::Tab::Touch);
   for (ui::Overlay* overlay :
        std::initializer_list<ui::Overlay*>{&shade_, &plane_, &crop_, &pick_, &lasso_})

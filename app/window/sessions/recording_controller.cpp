@@ -27,7 +27,7 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
       recordings_(std::move(folder)),
       panel_(new ui::RecordingPanel),
       recording_(shared.session, recordings_, shared.identity) {
-  window.panels().add(panel_, tr("Recording"), tr("Recor&ding"), "recordingSection",
+  window.panels().add(panel_, tr("Recording"), tr("Recordin&g"), "recordingSection",
                       ui::Tab::Record);
   window.addAction(panel_->markAction());  // of the window: the panel may be out of sight
   connect(panel_, &ui::RecordingPanel::recordWanted, this, &RecordingController::record);

@@ -47,7 +47,7 @@ HandController::HandController(ui::Views& views, ui::Messages& messages, ui::Sid
       panel_(new ui::DevicePanel),
       hand_(std::move(hand)) {
   shared.settings.stiffness = stiffness;
-  panels.add(panel_, tr("Hand and tool"), tr("Hand and &tool"), "toolSection", ui::Tab::Touch);
+  panels.add(panel_, tr("Hand and tool"), tr("Hand and tool"), "toolSection", ui::Tab::Touch);
   QList<ui::Choice> hands;
   for (const Hand& one : kHands) hands.append({one.id, tr(one.label)});
   panel_->setHands(hands);

@@ -16,7 +16,7 @@ constexpr int kRefusedMs = 6000;
 IsosurfaceController::IsosurfaceController(ui::Views& views, ui::Messages& messages,
                                            ui::SidePanel& panels, SharedState& shared)
     : views_(views), shared_(shared), panel_(new ui::IsosurfacePanel) {
-  panels.add(panel_, tr("Surface"), tr("Isos&urface"), "surfaceSection", ui::Tab::Touch);
+  panels.add(panel_, tr("Surface"), tr("Isosurface"), "surfaceSection", ui::Tab::Touch);
   connect(panel_, &ui::IsosurfacePanel::isovalueChanged, this, &IsosurfaceController::apply);
   connect(panel_, &ui::IsosurfacePanel::refused, this,
           [&messages](const QString& sentence) { messages.showBriefly(sentence, kRefusedMs); });

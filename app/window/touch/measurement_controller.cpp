@@ -9,7 +9,7 @@ namespace app {
 
 MeasurementController::MeasurementController(ui::SidePanel& panels, SharedState& shared)
     : shared_(shared), panel_(new ui::PerformancePanel) {
-  panels.add(panel_, tr("Performance"), tr("&Performance"), "performanceSection", ui::Tab::Touch,
+  panels.add(panel_, tr("Performance"), tr("Performance"), "performanceSection", ui::Tab::Touch,
              ui::Fold::Folded);
   connect(panel_, &ui::PerformancePanel::measureWanted, this, &MeasurementController::measure);
   connect(panel_, &ui::PerformancePanel::cancelWanted, this,

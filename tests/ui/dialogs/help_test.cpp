@@ -23,6 +23,7 @@
 #include "resources/messages/messages.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/window_support.h"
+#include "ui/controls/language.h"
 #include "ui/dialogs/help_window.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/main_window.h"
@@ -226,6 +227,46 @@ TEST(Help, OpensAtThePartThatHasTheFocus) {
   }
   EXPECT_GT(asked, 50);
   EXPECT_EQ(ui::helpPageOf(nullptr), "index");
+}
+
+TEST(Help, SpeaksGermanWhereItCanAndItsLinksLeadWhereTheEnglishOnesDo) {
+  ui::speak("de");
+  {
+    const QStringList german = QDir(":/help/de").entryList({"*.md"});
+    EXPECT_GE(german.size(), 24);
+    ui::HelpPage page;
+    int links = 0;
+    for (const QString& name : ui::helpPages()) {
+      ASSERT_TRUE(page.open(name)) << name.toStdString();
+      const QTextBlock title = page.document()->begin();
+      EXPECT_EQ(title.blockFormat().headingLevel(), 1) << name.toStdString();
+      const bool translated = german.contains(name + ".md");
+      EXPECT_EQ(title.next().text().contains("Englis") && title.next().text().size() < 60,
+                !translated)
+          << name.toStdString();
+      for (const QString& link : linksOf(*page.document())) {
+        ++links;
+        ui::HelpPage other;
+        EXPECT_TRUE(other.open(QString(link).replace(".md", "")))
+            << name.toStdString() << ": " << link.toStdString();
+      }
+    }
+    EXPECT_GT(links, 60);
+    EXPECT_TRUE(page.open("opening#verdicts"));
+    EXPECT_EQ(page.textCursor().block().text(), "Befunde");
+    EXPECT_FALSE(page.open("opening#nowhere"));
+    ui::HelpWindow window;
+    window.open("force-safety");
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, 120'000));
+    window::keep(window::pictureOf(window), "help_german");
+    auto* contents = window.findChild<QListWidget*>("helpContents");
+    EXPECT_EQ(contents->currentItem()->text(), "Sicherheit der Kraft");
+    window.findChild<QLineEdit*>("helpSearch")->setText("Steifigkeit zittert");
+    EXPECT_GE(contents->count(), 2);
+    EXPECT_LT(contents->count(), ui::helpPages().size() / 2);
+  }
+  ui::speak("en");
+  QLocale::setDefault(QLocale::c());
 }
 
 TEST(Help, IsSearchedAndGoesBackAndForward) {
