@@ -230,7 +230,7 @@ TEST(Help, OpensAtThePartThatHasTheFocus) {
 }
 
 TEST(Help, SpeaksGermanWhereItCanAndItsLinksLeadWhereTheEnglishOnesDo) {
-  ui::speak("de");
+  ui::setLanguage("de");
   {
     const QStringList german = QDir(":/help/de").entryList({"*.md"});
     EXPECT_GE(german.size(), 24);
@@ -265,7 +265,7 @@ TEST(Help, SpeaksGermanWhereItCanAndItsLinksLeadWhereTheEnglishOnesDo) {
     EXPECT_GE(contents->count(), 2);
     EXPECT_LT(contents->count(), ui::helpPages().size() / 2);
   }
-  ui::speak("en");
+  ui::setLanguage("en");
   QLocale::setDefault(QLocale::c());
 }
 
