@@ -22,7 +22,7 @@ constexpr int kBelowCube = 108, kBelowSentences = 84, kAboutCard = 8;
 constexpr std::size_t kCorners = 4;
 constexpr QSize kRoomForPlot{420, 320}, kRoomForCard{150, 100};  // px, of the view
 constexpr int kButton = 20;                                      // px
-constexpr int kHint = 20, kHintLine = 14;  // px, height of one line, and of another
+constexpr int kHint = 34;  // px, height of two lines: another hint moves no view
 
 enum class Sign { Menu, Larger, Smaller, Close, Fit, Follow, Stay };
 
@@ -260,11 +260,10 @@ void ViewFrame::place() {
   hint_->setVisible(hint_shown_);
   hide_hint_->setVisible(hint_shown_);
   if (hint_shown_) {
-    hint_->setText(wholeSentences(hint_words_, hint_->fontMetrics(), inner.width() - kHint - 10));
-    const int height = kHint + (hint_->text().contains('\n') ? kHintLine : 0);
-    inner.setBottom(inner.bottom() - height);
-    hint_->setGeometry(inner.left(), inner.bottom() + 1, inner.width(), height);
-    hide_hint_->setGeometry(inner.right() + 1 - kHint, inner.bottom() + 1, kHint, kHint);
+    hint_->setText(wholeSentences(hint_words_, hint_->fontMetrics(), inner.width() - kButton - 10));
+    inner.setBottom(inner.bottom() - kHint);
+    hint_->setGeometry(inner.left(), inner.bottom() + 1, inner.width(), kHint);
+    hide_hint_->setGeometry(inner.right() + 1 - kButton, inner.bottom() + 1, kButton, kButton);
     hide_hint_->raise();
   }
   view_->setGeometry(inner);

@@ -154,7 +154,7 @@ std::shared_ptr<const haptics::Volume> throughNrrd(const Turned& file, const std
 }
 
 bool letterColoured(QColor c) {
-  return c.red() > 120 && c.green() > 0.8 * c.red() && c.blue() < 0.55 * c.green();
+  return c.red() > 120 && c.green() > 0.8 * c.red() && c.blue() < 0.32 * c.green();
 }
 
 /// What a slice has around its picture, where its letters are.
