@@ -17,6 +17,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -281,7 +282,8 @@ class Answers : public QObject {
     timer_.start(50);
   }
   QStringList seen;
-  QString offered;  ///< what the picture was offered of at first
+  QString offered;   ///< what the picture was offered of at first
+  QString proposed;  ///< the name of the file
   bool agree = true;
   bool whole_window = false;
   int scale = 1;
@@ -291,6 +293,7 @@ class Answers : public QObject {
     QWidget* open = QApplication::activeModalWidget();
     if (auto* file = qobject_cast<QFileDialog*>(open)) {
       seen << "file";
+      proposed = file->findChild<QLineEdit*>("fileNameEdit")->text();
       // typed: selecting a file here failed at times
       file->findChild<QLineEdit*>("fileNameEdit")->setText(path_);
       QMetaObject::invokeMethod(file, "accept");
@@ -322,6 +325,10 @@ TEST(ToolPlace, APictureIsSavedWhereAskedAndCopied) {
       application.window().views().volume().size();  // before it is told that it is saved
   application.window().findChild<QAction*>("savePicture")->trigger();
   EXPECT_EQ(answers.seen, QStringList({"wish", "file"}));  // a phantom is nobody
+  EXPECT_TRUE(QRegularExpression(R"(^palpate 3-D view \d{4}-\d\d-\d\d \d\d\.\d\d\.png$)")
+                  .match(answers.proposed)
+                  .hasMatch())
+      << answers.proposed.toStdString();
   const QImage saved(folder.filePath("picture.png"));
   ASSERT_EQ(saved.size(), size);
   application.window().findChild<QAbstractButton*>("doneClose")->click();

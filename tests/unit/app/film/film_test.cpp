@@ -187,7 +187,7 @@ TEST_F(Film, WithoutACameraSeesSurfaceAndToolWhole) {
   }
 }
 
-TEST_F(Film, BurnsTimeAndForceIntoItsCornerAlone) {
+TEST_F(Film, BurnsTimeAndForceIntoItsCornersAlone) {
   const Session session;
   auto recording = recorded(scratch, session);
   FilmOptions chosen = options();
@@ -208,7 +208,8 @@ TEST_F(Film, BurnsTimeAndForceIntoItsCornerAlone) {
         const bool corner = x < kWidth / 2 && y > kHeight * 9 / 10;
         const int difference = apart(a.pixel(i, x, y), b.pixel(i, x, y));
         // elsewhere only what the encoder makes of it
-        if (!corner) {
+        const bool curve = x > kWidth * 2 / 3 && y > kHeight * 4 / 5;
+        if (!corner && !curve) {
           ASSERT_LT(difference, 80) << i << ": " << x << ", " << y;
         }
         if (corner && difference > 100) ++changed;
@@ -353,8 +354,8 @@ TEST_F(Film, ShowsTheMarksAndTheSecondSurfaceOfTheView) {
     const Colour c = film.pixel(1, int(at[0]), int(at[1]));
     return c.r + c.g + c.b;
   };
-  const Vec3 left(-15.0, -15.0, 14.0), right(15.0, -15.0, 14.0);  // mm
-  const auto beside = projected(front(), {0.0, 0.0, -0.015});     // the first surface ends at 12 mm
+  const Vec3 left(-15.0, -15.0, 14.0), right(15.0, -15.0, 14.0);   // mm
+  const auto beside = projected(front(), {0.0106, 0.0, -0.0106});  // 15 mm; the first has 12
   const Decoded bare = made();
   EXPECT_EQ(bare.count(1, markColoured), 0);
   chosen.look.marks = {{{left, right}, ""}};
