@@ -127,9 +127,13 @@ void JournalController::offer(const Work& work, bool on_view) {
         resuming_ = work.left;
         files_.resume(work.view);
       },
-      [path = work.left.path] {
+      [this, work, on_view] {
+        if (!messages_.askWhether(tr("Discard the work that was kept?"),
+                                  tr("Its marks, notes and edits cannot be brought back."),
+                                  tr("&Discard")))
+          return offer(work, on_view);
         std::error_code error;
-        std::filesystem::remove(path, error);
+        std::filesystem::remove(work.left.path, error);
       });
 }
 
@@ -153,6 +157,7 @@ void JournalController::showScene() {
 void JournalController::leaveScan() {
   const auto left = std::exchange(seen_, {});
   first_.reset();
+  taken_.reset();
   if (!std::exchange(written_, {}) || !left) return;
   ViewFile view = *left;
   view.edits.clear();
@@ -187,13 +192,14 @@ void JournalController::check(bool last) {
   if (!last &&
       (writer_.isRunning() || (since_written_.isValid() && since_written_.elapsed() < kWrittenMs)))
     return;
-  if (written_ ? differ(*written_, now) : taken_ || isWork(*first_, now)) write(now);
+  if (written_ ? !differ(*written_, now) : !taken_ && !isWork(*first_, now)) return;
+  since_written_.start();
+  written_ = now;
+  write(now);
 }
 
 void JournalController::write(const ViewFile& view) {
   writer_.wait();
-  since_written_.start();
-  written_ = view;
   const auto taken = taken_ && taken_->hash == view.hash ? std::exchange(taken_, {}) : std::nullopt;
   writer_.start(
       [this, view, taken](const background::Watch&) -> haptics::Expected<void> {
