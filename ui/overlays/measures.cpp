@@ -22,7 +22,8 @@ constexpr double kHandle = 5.0;     // radius, pixels
 constexpr double kReach = 9.0;      // from the mouse to a handle, pixels
 constexpr double kLabelGap = 10.0;  // from a place to its label, pixels
 constexpr double kDragged = 6.0;    // a press that moves further is a drag, pixels
-constexpr double kWidestLabel = 260.0;
+constexpr double kWidestLabel = 260.0, kNarrowLabel = 46.0;  // pixels, of one line, and of many
+constexpr int kLabelPixels = 11;
 constexpr std::size_t kMostSights = 200;  // handles that are sought behind the surface
 constexpr std::size_t kMostRemoved = 100;
 
@@ -68,11 +69,12 @@ double shareInside(const QPolygonF& line, const QRectF& box) {
   return all == 0 ? 0.0 : double(inside) / all;
 }
 
-/// Where a label of this size goes: near its anchor, within the view, on no handle, clear of other
-/// labels and of the body as far as there is room.
-QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& line, const QPolygonF& handles,
-                  const ViewGeometry& view, const QRectF& seen, const std::vector<QRectF>& taken) {
-  constexpr double kStep = 8.0;  // px
+/// Where a label of this size goes, and how bad that is: near its anchor, within the view, on no
+/// handle, clear of other labels and of the body as far as there is room.
+std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygonF& line,
+                                     const QPolygonF& handles, const ViewGeometry& view,
+                                     const QRectF& seen, const std::vector<QRectF>& taken) {
+  constexpr double kStep = 6.0;  // px
   constexpr std::size_t kMostPlaced = 30;
   const double w = size.width(), h = size.height();
   std::vector<QPointF> corners{anchor + QPointF{kLabelGap, -kLabelGap - h},
@@ -102,7 +104,7 @@ QRectF labelPlace(QSizeF size, QPointF anchor, const QPolygonF& line, const QPol
     least = cost;
     best = box;
   }
-  return best;
+  return {best, least};
 }
 
 void drawLabel(QPainter& painter, const QRectF& box, const QString& text) {
@@ -110,12 +112,18 @@ void drawLabel(QPainter& painter, const QRectF& box, const QString& text) {
   painter.setBrush(kMeasureGround);
   painter.drawRoundedRect(box, 3.0, 3.0);
   painter.setPen(kChosenMeasure);
-  painter.drawText(box, Qt::AlignCenter | Qt::TextSingleLine, text);
+  painter.drawText(box, Qt::AlignCenter, text);
 }
 
 QSizeF labelSize(const QFont& font, const QString& text) {
-  const QFontMetricsF metrics(font);
-  return {metrics.horizontalAdvance(text) + 10.0, metrics.height() + 4.0};
+  const QSizeF size = QFontMetricsF(font).size(0, text);
+  return {std::ceil(size.width()) + 10.0, std::ceil(size.height()) + 4.0};
+}
+
+QFont labelFont(const ViewGeometry& view) {
+  QFont font = view.widget().font();
+  font.setPixelSize(kLabelPixels);
+  return font;
 }
 
 /// The part of a view in which something is seen.
@@ -288,11 +296,20 @@ bool Measures::isBehindSurface(const ViewGeometry& view, const Eigen::Vector3d& 
   return behind;
 }
 
-QString Measures::labelOf(const Measure& measure) const {
+QStringList Measures::labelsOf(const Measure& measure, const QFontMetricsF& metrics,
+                               double widest) const {
   const QString text = QString::fromStdString(measure.text);
+  const auto elided = [&](double width) {
+    return metrics.elidedText(text, Qt::ElideRight, std::min(width, widest));
+  };
   const QString value = valueOf(measure, scan_);
-  if (value.isEmpty()) return text;
-  return text.isEmpty() ? value : tr("%1: %2").arg(text, value);
+  if (value.isEmpty()) return {elided(kWidestLabel), elided(kNarrowLabel)};
+  if (text.isEmpty()) return {value};
+  QString broken = value;
+  broken.replace(QString(QChar(QChar::Nbsp)) + QChar(0xb1), QStringLiteral("\n\u00b1"));
+  return {metrics.elidedText(tr("%1: %2").arg(text, value), Qt::ElideRight,
+                             std::min(kWidestLabel, widest)),
+          elided(kWidestLabel) + '\n' + value, elided(kNarrowLabel) + '\n' + broken};
 }
 
 Measures::Drawn Measures::drawnOf(const ViewGeometry& view, const Measure& measure) const {
@@ -324,7 +341,7 @@ void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const M
 }
 
 std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
-  const QFont font = view.widget().font();
+  const QFont font = labelFont(view);
   const QFontMetricsF metrics(font);
   const QRectF seen = seenPart(view);
   std::vector<Drawn> drawn;
@@ -337,11 +354,20 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
   if (travel_) handles << view.projected(travel_->from_mm);
   std::vector<MeasureLabel> labels;
   std::vector<QRectF> taken;
-  const auto add = [&](const QString& text, QPointF anchor, const QPolygonF& line) {
-    const QSizeF size = labelSize(font, text);
-    const QRectF box = labelPlace(size, anchor, line, handles, view, seen, taken);
-    taken.push_back(box);
-    labels.push_back({text, box, anchor});
+  // in more lines where it is then nearer by far, or over nothing
+  const auto add = [&](const QStringList& texts, QPointF anchor, const QPolygonF& line) {
+    constexpr double kLineBreak = 100.0;  // as far as it is from the anchor, pixels
+    MeasureLabel label;
+    double least = std::numeric_limits<double>::infinity();
+    for (qsizetype n = 0; n < texts.size(); ++n) {
+      const auto [box, cost] =
+          labelPlace(labelSize(font, texts[n]), anchor, line, handles, view, seen, taken);
+      if (cost + kLineBreak * static_cast<double>(n) >= least) continue;
+      least = cost + kLineBreak * static_cast<double>(n);
+      label = {texts[n], box, anchor};
+    }
+    taken.push_back(label.box);
+    labels.push_back(std::move(label));
   };
   // the chosen one last, above the others
   std::vector<std::size_t> order;
@@ -355,14 +381,13 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
     QPointF anchor = line.first();
     if (all_[i].kind == MeasureKind::Distance) anchor = 0.5 * (line[0] + line[1]);
     if (all_[i].kind == MeasureKind::Angle) anchor = line[1];
-    add(metrics.elidedText(labelOf(all_[i]), Qt::ElideRight, std::min(kWidestLabel, seen.width())),
-        anchor, line);
+    add(labelsOf(all_[i], metrics, seen.width() - 14.0), anchor, line);
   }
   if (travel_) {
     const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
     const QString length =
         numberWords(travel_->length_mm / mmPerLengthUnit(), lengthDecimals(1)) + ' ';
-    add(tr("Travelled %1").arg(length + lengthUnitName()), from, {from, to});
+    add({tr("Travelled %1").arg(length + lengthUnitName())}, from, {from, to});
   }
   return labels;
 }
@@ -370,7 +395,7 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
 void Measures::paint(QPainter& painter, const ViewGeometry& view) const {
   if (all_.empty() && begun_.places_mm.empty() && !travel_) return;
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setFont(view.widget().font());
+  painter.setFont(labelFont(view));
   const std::vector<MeasureLabel> labels = labelsIn(view);
   for (const MeasureLabel& label : labels) {
     const QPointF end = nearestOf(label.box, label.anchor);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QFontMetricsF>
 #include <QPolygonF>
 #include <QString>
+#include <QStringList>
 #include <array>
 #include <map>
 #include <optional>
@@ -116,7 +118,8 @@ class Measures : public Overlay {
   void paintMeasure(QPainter& painter, const ViewGeometry& view, const Measure& measure,
                     bool chosen, bool whole) const;
   void finish();
-  QString labelOf(const Measure& measure) const;
+  /// What is written beside a measure: in one line, and in more.
+  QStringList labelsOf(const Measure& measure, const QFontMetricsF& metrics, double widest) const;
   QString freeName(MeasureKind kind) const;
 
   MeasuredScan scan_;

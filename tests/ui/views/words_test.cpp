@@ -147,6 +147,9 @@ int Words::expectApartIn(ui::SliceView& view, const haptics::Volume& volume,
 void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name) {
   ASSERT_TRUE(volume);
   const ui::Picture picture = ui::pictureOf(volume);
+  // the views are dark in every theme: one is enough for a large scan
+  std::vector<Theme> themes{Theme::Dark};
+  if (volume->grid.dims[0] < 200) themes.insert(themes.end(), {Theme::Light, Theme::HighContrast});
   int boxes = 0;
   for (const char* language : {"en", "de"}) {
     ui::setLanguage(language);
@@ -167,7 +170,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
           {c + Vec3{0, 10, 0}, c + Vec3{2, 20, 0}, c + Vec3{30, 30, 0}}},
          {ui::MeasureKind::Note, "here", {c}}});
     window::showAndWait(window, {1280, 840});
-    for (const Theme theme : {Theme::Dark, Theme::Light, Theme::HighContrast}) {
+    for (const Theme theme : themes) {
       ui::style::applyTheme(*qApp, theme);
       for (const auto& [arrangement, words] : {std::pair{Arrangement::FourUp, "four_up"},
                                                std::pair{Arrangement::VolumeLarge, "volume"},
@@ -200,7 +203,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
       }
     }
   }
-  EXPECT_GT(boxes, 500);
+  EXPECT_GT(boxes, 150);
 }
 
 TEST_F(Words, StandOverNoBodyNoHandleAndNoOtherWords) { expectApart(madeHead(), "made"); }
