@@ -203,7 +203,13 @@ Eigen::AlignedBox3d bodyOf_mm(const haptics::Volume& volume, vtkImageData& reduc
   const auto count = static_cast<std::size_t>(reduced.GetNumberOfPoints());
   std::vector<std::uint8_t> waits(count);
   const auto least = static_cast<float>(bodyFrom(volume));
-  for (std::size_t i = 0; i < count; ++i) waits[i] = values[i] >= least;
+  // the rim is background, even if its value is none: no neighbour lies outside the image
+  for (std::int64_t k = 1; k + 1 < dims[2]; ++k)
+    for (std::int64_t j = 1; j + 1 < dims[1]; ++j)
+      for (std::int64_t i = 1; i + 1 < dims[0]; ++i) {
+        const auto n = static_cast<std::size_t>(i + j * step[1] + k * step[2]);
+        waits[n] = values[n] >= least;
+      }
   std::vector<std::int64_t> heap;
   std::size_t most = 0;
   Eigen::AlignedBox3i body;
@@ -212,7 +218,6 @@ Eigen::AlignedBox3d bodyOf_mm(const haptics::Volume& volume, vtkImageData& reduc
     waits[seed] = 0;
     heap.assign(1, static_cast<std::int64_t>(seed));
     Eigen::AlignedBox3i box;
-    // the rim of the image is background, so no neighbour lies outside it
     for (std::size_t n = 0; n < heap.size(); ++n) {
       const std::int64_t i = heap[n];
       box.extend(Eigen::Vector3i{static_cast<int>(i % dims[0]),
