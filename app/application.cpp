@@ -273,7 +273,9 @@ void Application::Parts::noteHand(const QString& id) {
   recording.note("hand", id.section(':', 0, 0));
 }
 
-bool Application::Parts::isWriting() { return exporting.task().isRunning() || edit.isSaving(); }
+bool Application::Parts::isWriting() {
+  return exporting.task().isRunning() || edit.isSaving() || surface.isWriting();
+}
 
 bool Application::Parts::settleWriting() {
   if (!isWriting()) return true;
@@ -283,6 +285,7 @@ bool Application::Parts::settleWriting() {
     case ui::Unfinished::Stop:
       exporting.task().cancel();
       edit.stopSaving();
+      surface.stopWriting();
       return true;
     case ui::Unfinished::Finish:
       break;
@@ -443,6 +446,8 @@ void Application::Parts::wireLeaving() {
   connect(&exporting.task(), &ExportTask::finished, this,
           [this](bool well, const QString& what) { endWriting(well ? QString{} : what); });
   connect(&edit, &EditController::saved, this,
+          [this](bool, const QString& why) { endWriting(why); });
+  connect(&surface, &SurfaceController::written, this,
           [this](bool, const QString& why) { endWriting(why); });
   opening.setGuard([this](const std::function<void(bool)>& answer) {
     const Leave now = view_file.leave(Leaving::Scan, answer);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/window/messages.h"
 
+#include <QFileInfo>
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
@@ -145,6 +146,16 @@ Unfinished Messages::askToFinish() {
   question.exec();
   if (question.clickedButton() == finish) return Unfinished::Finish;
   return question.clickedButton() == stop ? Unfinished::Stop : Unfinished::Cancel;
+}
+
+std::optional<QString> withEnding(Messages& messages, QString path, const QString& ending) {
+  if (path.endsWith(ending, Qt::CaseInsensitive)) return path;
+  path += ending;
+  if (QFileInfo::exists(path) &&
+      !messages.askWhether(Messages::tr("\"%1\" is there already.").arg(QFileInfo(path).fileName()),
+                           Messages::tr("It is written over."), Messages::tr("Write over it")))
+    return {};
+  return path;
 }
 
 QString noticeText() {

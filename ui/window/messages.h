@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <optional>
 
 class QMainWindow;
 class QPushButton;
@@ -86,6 +87,11 @@ class Messages : public QObject {
   std::function<void()> offered_;
   std::function<void()> work_taken_, work_dropped_;
 };
+
+/// A name that was chosen to write to, with this ending (".stl"). If it had another, the file
+/// dialog asked about another file: the user is asked whether to write over the one that is there.
+/// None: not.
+std::optional<QString> withEnding(Messages& messages, QString path, const QString& ending);
 
 /// The safety notice that every user must read once.
 QString noticeText();

@@ -512,8 +512,9 @@ void EditController::save(const QString& path) {
   if (!shared_.shown) return;
   if (saver_.isRunning())
     return messages_.showMessage(tr("A volume is being saved; wait for it, or cancel it first."));
-  std::filesystem::path out = path.toStdString();
-  if (!path.endsWith(".nrrd", Qt::CaseInsensitive)) out += ".nrrd";
+  const auto chosen = ui::withEnding(messages_, path, ".nrrd");
+  if (!chosen) return;
+  const std::filesystem::path out = chosen->toStdString();
   messages_.clear();
   loading_.begin(tr("Saving"));
   saver_.start(

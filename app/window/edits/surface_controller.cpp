@@ -85,8 +85,9 @@ void SurfaceController::write(const ui::SurfaceWish& wish) {
   ui::askForOutput(dialog, tr("Surface (*%1)").arg(ending), ending.mid(1));
   dialog.selectFile(tr("surface") + ending);
   if (dialog.exec() != QDialog::Accepted) return;
-  QString path = dialog.selectedFiles().value(0);
-  if (!path.endsWith(ending, Qt::CaseInsensitive)) path += ending;
+  const auto chosen = ui::withEnding(messages_, dialog.selectedFiles().value(0), ending);
+  if (!chosen) return;
+  const QString path = *chosen;
   const std::filesystem::path out = path.toStdString();
   messages_.clear();
   loading_.begin(tr("Writing the surface"));
@@ -103,9 +104,13 @@ void SurfaceController::write(const ui::SurfaceWish& wish) {
       [this, folder = QString::fromStdString(out.parent_path().string())](
           const haptics::Expected<QString>& name) {
         loading_.end();
-        if (name) return messages_.showDone(tr("\"%1\" was exported.").arg(*name), folder);
-        if (name.error().kind != haptics::Error::Kind::Cancelled)
-          messages_.showMessage(sentenceOf(name.error()));
+        QString why;
+        if (name)
+          messages_.showDone(tr("\"%1\" was exported.").arg(*name), folder);
+        else if (name.error().kind != haptics::Error::Kind::Cancelled)
+          why = sentenceOf(name.error());
+        if (!why.isEmpty()) messages_.showMessage(why);
+        emit written(name.has_value(), why);
       });
 }
 

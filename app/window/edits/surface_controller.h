@@ -23,6 +23,14 @@ class SurfaceController : public QObject {
  public:
   SurfaceController(ui::MainWindow& window, SharedState& shared);
 
+  /// Whether a surface is being written.
+  bool isWriting() const { return writer_.isRunning(); }
+  void stopWriting() { writer_.cancel(); }
+
+ signals:
+  /// A surface was written, or not. `why`: why not, for the user; empty: cancelled.
+  void written(bool well, const QString& why);
+
  private:
   using MadeSurface = std::shared_ptr<const datasets::Surface>;
 

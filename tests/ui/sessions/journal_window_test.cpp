@@ -388,6 +388,14 @@ TEST(Journal, NothingIsWrittenOverWithoutAQuestion) {
     EXPECT_EQ(refusing.asked.size(), 1) << action;
     EXPECT_EQ(fs::file_size(path.toStdString()), 4U) << action;
   }
+  // one that the program gives its ending
+  {
+    Refusing refusing(folder.filePath("a.other"));
+    std::ofstream(folder.filePath("a.other.nrrd").toStdString()) << "mine";
+    application->window().findChild<QAction*>("saveEdited")->trigger();
+    EXPECT_EQ(refusing.asked.size(), 1);
+    EXPECT_EQ(fs::file_size(folder.filePath("a.other.nrrd").toStdString()), 4U);
+  }
   application->end();
 }
 
