@@ -61,12 +61,19 @@ QString dateWords(const QString& date) {
   return day.isValid() ? QLocale().toString(day, QLocale::ShortFormat) : date;
 }
 
+/// The desktop's, with the whole year.
+QString dateFormat() {
+  QString format = QLocale().dateFormat(QLocale::ShortFormat);
+  if (!format.contains("yyyy")) format.replace("yy", "yyyy");
+  return format;
+}
+
 /// A day, or a span of days, as an archive has it: "20240301-20240331". Days are taken as the
 /// desktop writes them, as 2024-03-01 and as 20240301; other text stays.
 QString storedDates(const QString& typed) {
   const auto dayOf = [](const QString& words) {
-    QString format = QLocale().dateFormat(QLocale::ShortFormat);
-    if (!format.contains("yyyy")) format.replace("yy", "yyyy");
+    QString format = dateFormat();
+    if (!format.contains("MMM")) format.replace("dd", "d").replace("MM", "M");  // or two digits
     for (const QString& as : {format, QStringLiteral("yyyy-MM-dd"), QStringLiteral("yyyyMMdd")})
       if (const QDate day = QLocale().toDate(words.trimmed(), as); day.isValid())
         return day.toString(QStringLiteral("yyyyMMdd"));
@@ -87,9 +94,7 @@ QString storedDates(const QString& typed) {
 
 /// As a user of this desktop would type it.
 QString exampleOfDates() {
-  QString format = QLocale().dateFormat(QLocale::ShortFormat);
-  if (!format.contains("yyyy")) format.replace("yy", "yyyy");
-  const auto words = [&](int day) { return QLocale().toString(QDate(2024, 3, day), format); };
+  const auto words = [&](int day) { return QLocale().toString(QDate(2024, 3, day), dateFormat()); };
   return words(1) + " - " + words(31);
 }
 

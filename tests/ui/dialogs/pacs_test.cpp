@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
@@ -25,6 +26,7 @@
 #include "app/window/scan/loader.h"
 #include "tests/support/dicom_bytes.h"
 #include "tests/ui/window_support.h"
+#include "ui/dialogs/pacs_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
@@ -336,6 +338,26 @@ TEST_F(Pacs, WithoutTheProgramTheMenuSaysSo) {
   const app::PacsController controller(other.messages(), other.menus());
   other.findChild<QAction*>("fromPacs")->trigger();
   EXPECT_TRUE(other.findChild<QLabel*>("message")->text().contains("palpate-fetch"));
+}
+
+TEST_F(Pacs, DaysAreTypedAsTheyAreRead) {
+  QLocale::setDefault(QLocale("de_DE"));
+  {
+    ui::PacsWindow window;
+    auto* date = window.findChild<QLineEdit*>("pacsDate");
+    EXPECT_EQ(date->placeholderText(), "01.03.2024 - 31.03.2024");
+    for (const auto& [typed, sought] : {std::pair{"01.03.2024 - 31.03.2024", "20240301-20240331"},
+                                        {"5.3.2024", "20240305"},
+                                        {"2024-03-01-2024-03-31", "20240301-20240331"},
+                                        {"- 2024-03-31", "-20240331"},
+                                        {"20240301-", "20240301-"},
+                                        {"", ""},
+                                        {"no day", "no day"}}) {
+      date->setText(typed);
+      EXPECT_EQ(window.query().study_date, sought) << typed;
+    }
+  }
+  QLocale::setDefault(QLocale::c());
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ struct Running {
     application.start();
     EXPECT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
     for (QAction* action : application.window().findChildren<QAction*>())
-      if (action->text() == "&Performance") action->trigger();
+      if (action->text() == "Performance") action->trigger();
     QTest::qWait(50);
   }
   void click() { QTest::mouseClick(button, Qt::LeftButton); }

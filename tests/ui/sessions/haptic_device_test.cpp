@@ -99,7 +99,7 @@ class Session {
     application.start();
     EXPECT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
     for (QAction* action : window().findChildren<QAction*>())
-      if (action->text() == "&Haptic device") action->trigger();
+      if (action->text() == "Haptic device") action->trigger();
     EXPECT_TRUE(waitFor([&] { return list()->topLevelItemCount() == 1; }));
     window().activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
