@@ -99,8 +99,8 @@ QImage RemovalShade::shaded(const QImage& parts) const {
   const uchar hatched = fate_ == Fate::Goes ? kWithin : fate_ == Fate::Stays ? kBeside : uchar{255};
   // of all but a piece less, since it is much
   const int share = fate_ == Fate::Stays ? 2 : 1;
-  const QRgb fill = premultiplied(kFillAlpha / share), hatch = premultiplied(kHatchAlpha / share),
-             edge = premultiplied(kEdgeAlpha);
+  const QRgb fill = premultiplied(kFillAlpha / share),
+             hatch = premultiplied(kHatchAlpha * 2 / (1 + share)), edge = premultiplied(kEdgeAlpha);
   for (int y = 0; y < height; ++y) {
     auto* out = reinterpret_cast<QRgb*>(image.scanLine(y));
     const uchar* row = parts.constScanLine(y);

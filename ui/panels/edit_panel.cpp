@@ -320,6 +320,8 @@ QFrame* EditPanel::previewBar() {
   auto* bar = new QFrame;
   preview_words_ = hintLabel({});
   preview_words_->setObjectName("editPreview");
+  // what is said of a button moves none
+  preview_words_->setMinimumHeight(2 * preview_words_->fontMetrics().lineSpacing());
   keep_ = buttonOf(tr("Keep only this"), "keepPiece");
   keep_->setToolTip(tr("Removes all but the piece that is shown"));
   remove_piece_ = buttonOf(tr("Remove this"), "removePiece");
@@ -421,8 +423,12 @@ void EditPanel::showPreview(const QString& words, EditConfirm confirm) {
   // its buttons are in sight, wherever the panel was scrolled to
   QTimer::singleShot(0, this, [this] {
     for (QWidget* part = parentWidget(); part != nullptr; part = part->parentWidget())
-      if (auto* scroll = qobject_cast<QScrollArea*>(part))
-        return scroll->ensureWidgetVisible(preview_, 0, 0);
+      if (auto* scroll = qobject_cast<QScrollArea*>(part)) {
+        scroll->ensureWidgetVisible(preview_, 0, 0);
+        return;
+      } else if (part->layout() != nullptr) {
+        part->layout()->activate();
+      }
   });
 }
 

@@ -230,12 +230,9 @@ QWidget* StartPage::makeCards() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(style::kEdge);
   column->addWidget(purpose);
-  grid_ = new QGridLayout;
-  auto* row = new QHBoxLayout;  // what the cards leave stays empty
-  row->addLayout(grid_, 1000);
-  row->addStretch(1);
-  column->addLayout(row);
-  grid_->setSpacing(style::kEdge);
+  row_ = new QHBoxLayout;
+  row_->addStretch(1);  // what the cards leave stays empty
+  column->addLayout(row_);
   for (Card* card : {open, demo, device}) {
     card->finish();
     all_ << card;
@@ -246,11 +243,14 @@ QWidget* StartPage::makeCards() {
 
 void StartPage::arrange(int columns) {
   if (columns == columns_) return;
+  delete grid_;  // one that had more columns keeps their room
+  grid_ = new QGridLayout;
+  grid_->setSpacing(style::kEdge);
   for (int n = 0; n < all_.size(); ++n) {
-    grid_->removeWidget(all_[n]);
     grid_->addWidget(all_[n], n / columns, n % columns);
+    grid_->setColumnStretch(n % columns, 1);
   }
-  for (int n = 0; n < all_.size(); ++n) grid_->setColumnStretch(n, n < columns ? 1 : 0);
+  row_->insertLayout(0, grid_, 1000);
   columns_ = columns;
 }
 

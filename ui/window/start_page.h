@@ -84,6 +84,7 @@ class StartPage : public QScrollArea {
   QWidget* makeLoading();
 
   QList<Place> places_;
+  QHBoxLayout* row_ = nullptr;
   QGridLayout* grid_ = nullptr;
   QList<QWidget*> all_;
   int columns_ = 0;
