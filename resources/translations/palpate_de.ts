@@ -1645,23 +1645,23 @@
     </message>
     <message>
         <source>The view &quot;%1&quot; belongs to another scan; give the view of this one, or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansicht „%1“ gehört zu einer anderen Aufnahme; geben Sie die Ansicht dieser Aufnahme an oder keine.</translation>
     </message>
     <message>
         <source>There is no ffmpeg, which makes MP4 films; install the package ffmpeg, or let the film&apos;s name end in .ogv.</source>
-        <translation type="unfinished"></translation>
+        <translation>ffmpeg fehlt, das MP4-Filme macht; installieren Sie das Paket ffmpeg, oder lassen Sie den Namen des Films auf .ogv enden.</translation>
     </message>
     <message>
         <source>There is no surface at the isovalue %1; choose one between %2 and %3, the range of the scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Isowert %1 gibt es keine Oberfläche; wählen Sie einen zwischen %2 und %3, dem Bereich der Aufnahme.</translation>
     </message>
     <message>
         <source>The surface has %1 triangles, which is more than a file of this format can count; choose another isovalue, or crop the scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche hat %1 Dreiecke, mehr als eine Datei dieses Formats zählen kann; wählen Sie einen anderen Isowert, oder beschneiden Sie die Aufnahme.</translation>
     </message>
     <message>
         <source>The surface was not written, since a check found that it is not closed, or not turned outwards; choose an isovalue beside this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wurde nicht geschrieben, denn eine Prüfung fand, dass sie nicht geschlossen oder nicht nach außen gewendet ist; wählen Sie einen Isowert daneben.</translation>
     </message>
     <message>
         <source>Volume %1 of %2. %3</source>
@@ -1742,7 +1742,7 @@
     </message>
     <message>
         <source>The file was not written</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei wurde nicht geschrieben</translation>
     </message>
 </context>
 <context>
@@ -1917,10 +1917,6 @@
         <translation>Teile entfernen</translation>
     </message>
     <message>
-        <source>R&amp;emove parts</source>
-        <translation>Teile &amp;entfernen</translation>
-    </message>
-    <message>
         <source>Table and head holder found</source>
         <translation>Tisch und Kopfhalter gefunden</translation>
     </message>
@@ -1950,7 +1946,7 @@
     </message>
     <message>
         <source>The cut takes %1, which is hatched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt nimmt %1, was schraffiert ist.</translation>
     </message>
 </context>
 <context>
@@ -2036,7 +2032,7 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2111,23 +2107,35 @@
     <name>app::JournalController</name>
     <message>
         <source>Work on this scan was kept, but it cannot be read and was left out: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit an dieser Aufnahme wurde aufgehoben, lässt sich aber nicht lesen und wurde weggelassen: %1</translation>
     </message>
     <message>
         <source>Your work on this scan was not saved when Palpate ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Arbeit an dieser Aufnahme war nicht gespeichert, als Palpate endete.</translation>
     </message>
     <message>
         <source>Your work on a scan that was open before was not saved when Palpate ended.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Arbeit an einer früher geöffneten Aufnahme war nicht gespeichert, als Palpate endete.</translation>
     </message>
     <message>
         <source>&amp;Continue where you were</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Weitermachen, wo Sie waren</translation>
     </message>
     <message>
         <source>Your work is not kept while you work: %1 Save the view instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Arbeit wird währenddessen nicht aufgehoben: %1 Speichern Sie stattdessen die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Discard the work that was kept?</source>
+        <translation>Die aufgehobene Arbeit verwerfen?</translation>
+    </message>
+    <message>
+        <source>Its marks, notes and edits cannot be brought back.</source>
+        <translation>Ihre Marken, Notizen und Bearbeitungen lassen sich nicht zurückholen.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
     </message>
 </context>
 <context>
@@ -2525,47 +2533,47 @@
     <name>app::SurfaceController</name>
     <message>
         <source>There is no surface yet; open a scan first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keine Oberfläche; öffnen Sie zuerst eine Aufnahme.</translation>
     </message>
     <message>
         <source>A surface is being written; wait for it, or cancel it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Oberfläche wird gerade geschrieben; warten Sie darauf, oder brechen Sie zuerst ab.</translation>
     </message>
     <message>
         <source>at the isovalue %1</source>
-        <translation type="unfinished"></translation>
+        <translation>beim Isowert %1</translation>
     </message>
     <message>
         <source>This surface may show a face.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Oberfläche zeigt vielleicht ein Gesicht.</translation>
     </message>
     <message>
         <source>It has the skin, and a face can be recognised. Raise the isovalue to bone, or give the file only to people with permission to see it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie hat die Haut, und ein Gesicht kann erkannt werden. Heben Sie den Isowert auf Knochen an, oder geben Sie die Datei nur Personen, die sie sehen dürfen.</translation>
     </message>
     <message>
         <source>Export the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche exportieren</translation>
     </message>
     <message>
         <source>Export the surface to</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche exportieren nach</translation>
     </message>
     <message>
         <source>Surface (*%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche (*%1)</translation>
     </message>
     <message>
         <source>surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche</translation>
     </message>
     <message>
         <source>Writing the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wird geschrieben</translation>
     </message>
     <message>
         <source>&quot;%1&quot; was exported.</source>
-        <translation type="unfinished">„%1“ wurde exportiert.</translation>
+        <translation>„%1“ wurde exportiert.</translation>
     </message>
 </context>
 <context>
@@ -2719,15 +2727,15 @@
     </message>
     <message>
         <source>3-D view</source>
-        <translation type="unfinished">3-D-Ansicht</translation>
+        <translation>3-D-Ansicht</translation>
     </message>
     <message>
         <source>window</source>
-        <translation type="unfinished"></translation>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>The tool does not fit where it was: it stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug passt nicht dorthin, wo es war: es bleibt, wo es ist.</translation>
     </message>
 </context>
 <context>
@@ -2858,35 +2866,35 @@
     </message>
     <message>
         <source>CT</source>
-        <translation type="unfinished">CT</translation>
+        <translation>CT</translation>
     </message>
     <message>
         <source>Scan</source>
-        <translation type="unfinished">Aufnahme</translation>
+        <translation>Aufnahme</translation>
     </message>
     <message>
         <source>The work that was kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Die aufgehobene Arbeit</translation>
     </message>
     <message>
         <source>The tool of %1 comes from a file that was not found; the present tool stays. Load the tool, and open the view again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Werkzeug von %1 stammt aus einer Datei, die nicht gefunden wurde; das jetzige Werkzeug bleibt. Laden Sie das Werkzeug, und öffnen Sie die Ansicht noch einmal.</translation>
     </message>
     <message>
         <source>Choose the scan…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme wählen…</translation>
     </message>
     <message>
         <source>A &amp;folder of slices…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein &amp;Ordner mit Schichten…</translation>
     </message>
     <message>
         <source>A f&amp;ile…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine &amp;Datei…</translation>
     </message>
     <message>
         <source>Choose the scan of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie die Aufnahme von %1</translation>
     </message>
 </context>
 <context>
@@ -2928,15 +2936,15 @@
     </message>
     <message>
         <source>CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV</translation>
     </message>
     <message>
         <source>One table with a line of names, and a file that explains its columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Tabelle mit einer Zeile von Namen und eine Datei, die ihre Spalten erklärt.</translation>
     </message>
     <message>
         <source>CSV (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -3215,11 +3223,11 @@
     <name>ui::DropArea</name>
     <message>
         <source>Drop to open</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablegen zum Öffnen</translation>
     </message>
     <message>
         <source>Let go to open</source>
-        <translation type="unfinished"></translation>
+        <translation>Loslassen zum Öffnen</translation>
     </message>
 </context>
 <context>
@@ -3546,19 +3554,19 @@
     </message>
     <message>
         <source>Draw an outline with the left button, in 3-D or on a slice, or click its corners; the last one twice. What it takes is shown before it is cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie mit der linken Taste einen Umriss, in 3-D oder auf einer Schicht, oder klicken Sie seine Ecken; die letzte zweimal. Vor dem Schnitt wird gezeigt, was er nimmt.</translation>
     </message>
     <message>
         <source>Removes what is hatched</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt, was schraffiert ist</translation>
     </message>
     <message>
         <source>Only this piece stays. What is hatched goes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur dieses Stück bleibt. Das Schraffierte wird entfernt.</translation>
     </message>
     <message>
         <source>This piece goes: it is hatched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Stück wird entfernt: es ist schraffiert.</translation>
     </message>
 </context>
 <context>
@@ -3721,15 +3729,15 @@
     </message>
     <message>
         <source>Show force, its curve and time in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraft, ihre Kurve und die Zeit im Bild zeigen</translation>
     </message>
     <message>
         <source>The film then has the force and the time in figures, and the curve of the force</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Film hat dann Kraft und Zeit in Zahlen und die Kurve der Kraft</translation>
     </message>
     <message>
         <source>The 3-D view, with its colours, second surface and marks as now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die 3-D-Ansicht mit Farben, zweiter Oberfläche und Marken wie jetzt.</translation>
     </message>
 </context>
 <context>
@@ -3993,7 +4001,7 @@
     </message>
     <message>
         <source>Mediastinum</source>
-        <translation type="unfinished"></translation>
+        <translation>Mediastinum</translation>
     </message>
 </context>
 <context>
@@ -4294,7 +4302,7 @@
     </message>
     <message>
         <source>This page is in English only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Seite gibt es nur auf Englisch.</translation>
     </message>
 </context>
 <context>
@@ -4425,11 +4433,11 @@
     <name>ui::Lasso</name>
     <message>
         <source>%1: cuts what is hatched. Escape: keeps it. Drag: draws another outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: schneidet das Schraffierte. Escape: behält es. Ziehen: zeichnet einen anderen Umriss.</translation>
     </message>
     <message>
         <source>Drag: draws the outline of a cut. Or click, or %1 at the crosshair: sets a corner; at the last one again: closes it. %2: takes it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen: zeichnet den Umriss eines Schnitts. Oder ein Klick, oder %1 am Fadenkreuz: setzt eine Ecke; an der letzten noch einmal: schließt ihn. %2: nimmt sie zurück.</translation>
     </message>
 </context>
 <context>
@@ -4538,11 +4546,11 @@
     </message>
     <message>
         <source>Here, with File &gt; Open file, or by dropping it on the window. Left and right come from the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier, mit Datei &gt; Datei öffnen, oder indem Sie sie auf dem Fenster ablegen. Links und rechts kommen aus der Datei.</translation>
     </message>
     <message>
         <source>Not a medical device. Not for treatment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Medizinprodukt. Nicht für die Behandlung.</translation>
     </message>
 </context>
 <context>
@@ -4649,7 +4657,7 @@
     </message>
     <message>
         <source>± is the accuracy that the voxels allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>± ist die Genauigkeit, die die Voxel erlauben.</translation>
     </message>
 </context>
 <context>
@@ -4914,7 +4922,7 @@
     </message>
     <message>
         <source>Opens a folder of slices</source>
-        <translation type="unfinished">Öffnet einen Ordner mit Schichten</translation>
+        <translation>Öffnet einen Ordner mit Schichten</translation>
     </message>
     <message>
         <source>From PA&amp;CS…</source>
@@ -4926,11 +4934,11 @@
     </message>
     <message>
         <source>Save vie&amp;w</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht speichern</translation>
     </message>
     <message>
         <source>Export sur&amp;face…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ober&amp;fläche exportieren…</translation>
     </message>
     <message>
         <source>&amp;Drawing of the surface</source>
@@ -4993,23 +5001,35 @@
     </message>
     <message>
         <source>Not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht fertig</translation>
     </message>
     <message>
         <source>A file is still being written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei wird noch geschrieben.</translation>
     </message>
     <message>
         <source>The window can close while it is finished in the background. If it is stopped, no file remains.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster kann schließen, während sie im Hintergrund fertig wird. Wird sie angehalten, bleibt keine Datei.</translation>
     </message>
     <message>
         <source>&amp;Finish in the background</source>
-        <translation type="unfinished"></translation>
+        <translation>Im &amp;Hintergrund fertigstellen</translation>
     </message>
     <message>
         <source>&amp;Stop it</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is there already.</source>
+        <translation>„%1“ gibt es schon.</translation>
+    </message>
+    <message>
+        <source>It is written over.</source>
+        <translation>Die Datei wird überschrieben.</translation>
+    </message>
+    <message>
+        <source>Write over it</source>
+        <translation>Überschreiben</translation>
     </message>
 </context>
 <context>
@@ -5419,7 +5439,7 @@
     </message>
     <message>
         <source>A day, or the first and the last with a hyphen between them, either left out: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Tag, oder der erste und der letzte mit einem Bindestrich dazwischen, von denen einer fehlen darf: %1</translation>
     </message>
 </context>
 <context>
@@ -5839,15 +5859,15 @@
     </message>
     <message>
         <source>Keeps the eight newest folders and files for File &gt; Open recent, and your work on scans until you save or discard it; off forgets both</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält die acht neuesten Ordner und Dateien für Datei &gt; Zuletzt geöffnet und Ihre Arbeit an Aufnahmen, bis Sie sie speichern oder verwerfen; aus vergisst beides</translation>
     </message>
     <message>
         <source>Removes the recent places and the work that was kept at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernt die letzten Orte und die aufgehobene Arbeit sofort</translation>
     </message>
     <message>
         <source>While you work, marks, notes and edits are kept in your own folder, for your eyes alone, and offered again if Palpate ends before you saved them. Notes are kept as you wrote them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Während Sie arbeiten, werden Marken, Notizen und Bearbeitungen in Ihrem eigenen Ordner aufgehoben, nur für Ihre Augen, und wieder angeboten, wenn Palpate endet, bevor Sie sie gespeichert haben. Notizen werden aufgehoben, wie Sie sie geschrieben haben.</translation>
     </message>
 </context>
 <context>
@@ -6218,31 +6238,31 @@
     <name>ui::SecondSurface</name>
     <message>
         <source>Isovalue of the second surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Isowert der zweiten Oberfläche</translation>
     </message>
     <message>
         <source>The intensity of the second surface, which is seen and not felt</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wert der zweiten Oberfläche, die man sieht und nicht fühlt</translation>
     </message>
     <message>
         <source>Opacity of the second surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft der zweiten Oberfläche</translation>
     </message>
     <message>
         <source>How much of what lies behind it the second surface hides</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel von dem, was hinter ihr liegt, die zweite Oberfläche verdeckt</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Second surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Oberfläche</translation>
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft</translation>
     </message>
 </context>
 <context>
@@ -6639,27 +6659,27 @@
     </message>
     <message>
         <source>Fit all slices to the &amp;body</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Schichten dem &amp;Körper anpassen</translation>
     </message>
     <message>
         <source>&amp;Level and width…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zentrum und Breite…</translation>
     </message>
     <message>
         <source>Thick slab: m&amp;inimum</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke Schicht: M&amp;inimum</translation>
     </message>
     <message>
         <source>Level and width</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentrum und Breite</translation>
     </message>
     <message>
         <source>&amp;Level</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zentrum</translation>
     </message>
     <message>
         <source>&amp;Width</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Breite</translation>
     </message>
 </context>
 <context>
@@ -6706,11 +6726,11 @@
     </message>
     <message>
         <source>Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rad: Schichten. Ziehen: Fadenkreuz. Rechts ziehen: Grau. Strg+Rad: näher. %1: passt ein.</translation>
     </message>
     <message>
         <source>minimum of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Minimum von %1</translation>
     </message>
 </context>
 <context>
@@ -6868,83 +6888,83 @@
     <name>ui::SurfaceDialog</name>
     <message>
         <source>With the parts that were removed</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit den entfernten Teilen</translation>
     </message>
     <message>
         <source>Export the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche exportieren</translation>
     </message>
     <message>
         <source>Format of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Format der Datei</translation>
     </message>
     <message>
         <source>Directions of x, y and z in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungen von x, y und z in der Datei</translation>
     </message>
     <message>
         <source>LPS: left, posterior, superior (as in DICOM)</source>
-        <translation type="unfinished"></translation>
+        <translation>LPS: links, hinten, oben (wie in DICOM)</translation>
     </message>
     <message>
         <source>RAS: right, anterior, superior (as in NIfTI)</source>
-        <translation type="unfinished"></translation>
+        <translation>RAS: rechts, vorn, oben (wie in NIfTI)</translation>
     </message>
     <message>
         <source>Which connected parts are written</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche zusammenhängenden Teile geschrieben werden</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>alle</translation>
     </message>
     <message>
         <source>the largest alone</source>
-        <translation type="unfinished"></translation>
+        <translation>nur das größte</translation>
     </message>
     <message>
         <source>Writes the surface of the whole scan, as before all edits</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt die Oberfläche der ganzen Aufnahme, wie vor allen Bearbeitungen</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished">Oberfläche</translation>
+        <translation>Oberfläche</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished">Format</translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen</translation>
     </message>
     <message>
         <source>Pieces</source>
-        <translation type="unfinished">Stücke</translation>
+        <translation>Stücke</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished">Größe</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished">Exportieren…</translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Asks for the file, then writes it</source>
-        <translation type="unfinished">Fragt nach der Datei und schreibt sie dann</translation>
+        <translation>Fragt nach der Datei und schreibt sie dann</translation>
     </message>
     <message>
         <source>Writes nothing</source>
-        <translation type="unfinished">Schreibt nichts</translation>
+        <translation>Schreibt nichts</translation>
     </message>
     <message>
         <source>The triangles are being counted…</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dreiecke werden gezählt…</translation>
     </message>
     <message>
         <source>%1 triangles, about %2 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Dreiecke, etwa %2 MB</translation>
     </message>
 </context>
 <context>
@@ -7094,7 +7114,7 @@
     </message>
     <message>
         <source>%1 · %2 kHz</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · %2 kHz</translation>
     </message>
 </context>
 <context>
@@ -7296,23 +7316,23 @@
     </message>
     <message>
         <source>Fit to the body</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Körper anpassen</translation>
     </message>
     <message>
         <source>Follow the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Werkzeug folgen</translation>
     </message>
     <message>
         <source>Shows the body as large as it can be</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt den Körper so groß wie möglich</translation>
     </message>
     <message>
         <source>The slices go with the tool. A click lets them stay</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schichten gehen mit dem Werkzeug. Ein Klick lässt sie stehen</translation>
     </message>
     <message>
         <source>The slices stay. A click lets them go with the tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schichten bleiben stehen. Ein Klick lässt sie mit dem Werkzeug gehen</translation>
     </message>
 </context>
 <context>
@@ -7896,39 +7916,39 @@
     </message>
     <message>
         <source>fits the body into the view</source>
-        <translation type="unfinished"></translation>
+        <translation>passt den Körper in die Ansicht ein</translation>
     </message>
     <message>
         <source>grey window: soft tissue</source>
-        <translation type="unfinished"></translation>
+        <translation>Graufenster: Weichteile</translation>
     </message>
     <message>
         <source>grey window: bone</source>
-        <translation type="unfinished"></translation>
+        <translation>Graufenster: Knochen</translation>
     </message>
     <message>
         <source>grey window: lung</source>
-        <translation type="unfinished"></translation>
+        <translation>Graufenster: Lunge</translation>
     </message>
     <message>
         <source>grey window: brain</source>
-        <translation type="unfinished"></translation>
+        <translation>Graufenster: Gehirn</translation>
     </message>
     <message>
         <source>grey window: mediastinum</source>
-        <translation type="unfinished"></translation>
+        <translation>Graufenster: Mediastinum</translation>
     </message>
     <message>
         <source>grey window: temporal bone</source>
-        <translation type="unfinished"></translation>
+        <translation>Graufenster: Felsenbein</translation>
     </message>
     <message>
         <source>grey window: as at first</source>
-        <translation type="unfinished"></translation>
+        <translation>Graufenster: wie zu Beginn</translation>
     </message>
     <message>
         <source>takes level and width as numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>nimmt Zentrum und Breite als Zahlen</translation>
     </message>
 </context>
 </TS>
