@@ -217,6 +217,8 @@ for n in range(kills):
         time.sleep(0.2)
         x, y = chance.randint(520, 600), chance.randint(320, 500)  # on the ball, beside the tool
         display.drag((x, y), (x + 40, y), (x + 40, y + 40), (x, y + 40), (x, y))
+        time.sleep(0.3)
+        display.key("Return")
         if had_cuts == 0:  # another may remove nothing more
             wait(process, "a cut", lambda: cuts() > 0)
         display.key("Escape")

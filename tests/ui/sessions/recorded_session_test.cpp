@@ -566,12 +566,14 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
   EXPECT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
   list->selectRow(0);
   // the file of that name, and one of the several
-  for (const auto& [format, name, there] : {std::tuple{0, "a", "a_events.json"},
-                                            {0, "b", "b_motion.tsv"},
-                                            {1, "a.h5", "a.h5"},
-                                            {2, "a.mcap", "a.mcap"},
-                                            {3, "a.mp4", "a.mp4"},
-                                            {3, "b.mp4", "b.frames.csv"}}) {
+  for (const auto& [format, name, there] : {std::tuple{1, "a", "a_events.json"},
+                                            {1, "b", "b_motion.tsv"},
+                                            {2, "a.h5", "a.h5"},
+                                            {3, "a.mcap", "a.mcap"},
+                                            {4, "a.mp4", "a.mp4"},
+                                            {4, "b.mp4", "b.frames.csv"},
+                                            {0, "c.csv", "c.csv"},
+                                            {0, "d.csv", "d.columns.json"}}) {
     const fs::path file = fs::path(exports.path().toStdString()) / there;
     std::ofstream(file) << "mine";
     QString asked;
