@@ -14,6 +14,7 @@ _palpate_cli() {
       " run") command="run" ;;
       " replay") command="replay" ;;
       " recover") command="recover" ;;
+      " surface") command="surface" ;;
       " export") command="export" ;;
       " study") command="study" ;;
       "study accuracy") command="study accuracy" ;;
@@ -76,7 +77,15 @@ _palpate_cli() {
     "replay --series") compopt -o default; return ;;
     "replay --every") compopt -o default; return ;;
     "replay --box") compopt -o default; return ;;
-    "export --format") mapfile -t COMPREPLY < <(compgen -W "csv hdf5 mcap video" -- "$word"); return ;;
+    "surface --phantom") compopt -o default; return ;;
+    "surface --series") compopt -o default; return ;;
+    "surface --every") compopt -o default; return ;;
+    "surface --box") compopt -o default; return ;;
+    "surface --isovalue") compopt -o default; return ;;
+    "surface --out") compopt -o default; return ;;
+    "surface --frame") mapfile -t COMPREPLY < <(compgen -W "lps ras" -- "$word"); return ;;
+    "surface --view") compopt -o default; return ;;
+    "export --format") mapfile -t COMPREPLY < <(compgen -W "csv motion-bids hdf5 mcap video" -- "$word"); return ;;
     "export --out") compopt -o default; return ;;
     "export --from") compopt -o default; return ;;
     "export --to") compopt -o default; return ;;
@@ -104,7 +113,7 @@ _palpate_cli() {
     *) ;;
   esac
   case "$command" in
-    "") mapfile -t COMPREPLY < <(compgen -W "info convert cohort devices tool run replay recover export study -h --help --version" -- "$word") ;;
+    "") mapfile -t COMPREPLY < <(compgen -W "info convert cohort devices tool run replay recover surface export study -h --help --version" -- "$word") ;;
     "info") mapfile -t COMPREPLY < <(compgen -W "-h --help --series --correct --largest-part --every --box --json" -- "$word") ;;
     "convert") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
     "cohort") mapfile -t COMPREPLY < <(compgen -W "merge -h --help --isovalue --tool --hand --repetitions --seconds --stiffness --shard --jobs --plan --json" -- "$word") ;;
@@ -114,6 +123,7 @@ _palpate_cli() {
     "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --field --normal --device --rate --trace --record --seed --json" -- "$word") ;;
     "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
     "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
+    "surface") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --isovalue --out --frame --largest --view --json" -- "$word") ;;
     "export") mapfile -t COMPREPLY < <(compgen -W "-h --help --format --out --from --to --rate --no-contacts --volume --phantom --series --correct --largest-part --every --box --size --fps --speed --burn-in --camera --surface --json" -- "$word") ;;
     "study") mapfile -t COMPREPLY < <(compgen -W "accuracy stability plan merge -h --help" -- "$word") ;;
     "study accuracy") mapfile -t COMPREPLY < <(compgen -W "-h --help --quick --seed --shard --out --json" -- "$word") ;;
