@@ -566,14 +566,14 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
   EXPECT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
   list->selectRow(0);
   // the file of that name, and one of the several
-  for (const auto& [format, name, there] : {std::tuple{1, "a", "a_events.json"},
+  for (const auto& [format, name, there] : {std::tuple{0, "a.csv", "a.csv"},
+                                            {0, "b.csv", "b.columns.json"},
+                                            {1, "a", "a_events.json"},
                                             {1, "b", "b_motion.tsv"},
                                             {2, "a.h5", "a.h5"},
                                             {3, "a.mcap", "a.mcap"},
                                             {4, "a.mp4", "a.mp4"},
-                                            {4, "b.mp4", "b.frames.csv"},
-                                            {0, "c.csv", "c.csv"},
-                                            {0, "d.csv", "d.columns.json"}}) {
+                                            {4, "b.mp4", "b.frames.csv"}}) {
     const fs::path file = fs::path(exports.path().toStdString()) / there;
     std::ofstream(file) << "mine";
     QString asked;
