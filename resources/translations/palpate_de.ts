@@ -4934,11 +4934,11 @@
     </message>
     <message>
         <source>Save vie&amp;w</source>
-        <translation>&amp;Ansicht speichern</translation>
+        <translation>Ans&amp;icht speichern</translation>
     </message>
     <message>
-        <source>Export sur&amp;face…</source>
-        <translation>Ober&amp;fläche exportieren…</translation>
+        <source>Export s&amp;urface…</source>
+        <translation>Oberf&amp;läche exportieren…</translation>
     </message>
     <message>
         <source>&amp;Drawing of the surface</source>
@@ -6659,15 +6659,15 @@
     </message>
     <message>
         <source>Fit all slices to the &amp;body</source>
-        <translation>Alle Schichten dem &amp;Körper anpassen</translation>
+        <translation>Alle Schichten dem Kör&amp;per anpassen</translation>
     </message>
     <message>
         <source>&amp;Level and width…</source>
         <translation>&amp;Zentrum und Breite…</translation>
     </message>
     <message>
-        <source>Thick slab: m&amp;inimum</source>
-        <translation>Dicke Schicht: M&amp;inimum</translation>
+        <source>Thick slab: mi&amp;nimum</source>
+        <translation>Slab: Mi&amp;nimum</translation>
     </message>
     <message>
         <source>Level and width</source>

@@ -202,7 +202,7 @@ void SliceSet::buildLookMenu() {
   const auto slab = &SliceLook::slab;
   choice(slabs_, tr("&One plane"), "slabNone", SlabKind::None, slab);
   choice(slabs_, tr("Thick slab: &maximum"), "slabMaximum", SlabKind::Maximum, slab);
-  choice(slabs_, tr("Thick slab: m&inimum"), "slabMinimum", SlabKind::Minimum, slab);
+  choice(slabs_, tr("Thick slab: mi&nimum"), "slabMinimum", SlabKind::Minimum, slab);
   choice(slabs_, tr("Thick slab: m&ean"), "slabMean", SlabKind::Mean, slab);
   menu->addSeparator();
   thicknesses_ = new QActionGroup(this);

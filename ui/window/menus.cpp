@@ -99,7 +99,7 @@ void Menus::buildFileMenu() {
   save_edited_ = file->addAction(tr("Save &edited volume as…"), this, &Menus::askWhereToSave);
   save_edited_->setObjectName("saveEdited");
   save_edited_->setEnabled(false);
-  file->addAction(tr("Export sur&face…"), this, &Menus::surfaceWanted)
+  file->addAction(tr("Export s&urface…"), this, &Menus::surfaceWanted)
       ->setObjectName("exportSurface");
   file->addSeparator();
   giveKeys(*file->addAction(tr("&Quit"), &window_, &QWidget::close), Action::Quit);
