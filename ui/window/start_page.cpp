@@ -179,6 +179,7 @@ StartPage::StartPage(QWidget* parent)
   style::setType(*last_, style::Type::Section);
   style::setDim(*last_);
   last_->setObjectName("lastScans");
+  last_->setWordWrap(true);
   connect(tiles_, &PlaceTiles::wanted, this, &StartPage::placeWanted);
   auto* page = new QWidget;
   page->setAutoFillBackground(true);
