@@ -98,7 +98,7 @@ std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygon
       if (box.adjusted(-kReach, -kReach, kReach, kReach).contains(p)) cost += 1e5;
     for (const QRectF& other : taken)
       if (other.adjusted(-2.0, -2.0, 2.0, 2.0).intersects(box)) cost += 1e4;
-    if (cost < least && view.showsBody(box)) cost += 3e3;
+    if (cost < least && view.showsBody(box.adjusted(-4.0, -4.0, 4.0, 4.0))) cost += 3e3;
     if (cost < least) cost += 1e3 * shareInside(line, box);
     if (cost >= least) continue;
     least = cost;

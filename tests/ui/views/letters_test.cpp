@@ -312,6 +312,7 @@ class LetterViews {
     std::vector<QImage> images;
     for (ui::SliceView* slice : {&axial_, &coronal_, &sagittal_}) {
       slice->show(picture);
+      slice->resetView();  // which body it finds depends on the unit
       slice->setGrey({.level = 1000.0, .width = 200.0});
       slice->setCross(1e3 * volume->grid.worldOf(0.5 * Vec3(double(volume->grid.dims[0] - 1),
                                                             double(volume->grid.dims[1] - 1),
