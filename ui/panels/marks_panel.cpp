@@ -65,6 +65,7 @@ MarksPanel::MarksPanel(QWidget* parent)
   column->addLayout(buttons);
   column->addWidget(buildTravel());
   auto* accuracy = new QLabel(tr("± is the accuracy that the voxels allow."));
+  accuracy->setObjectName("marksAccuracy");
   accuracy->setToolTip(
       tr("Half a voxel diagonal for each place. Errors of the scanner and of the choice of the "
          "places are not in it."));

@@ -533,7 +533,7 @@ TEST(Marks, TheListRenamesGoesToAPlaceAndIsReachedWithTab) {
     ASSERT_NE(button, nullptr) << name;
     EXPECT_LE(button->mapTo(&scan.panel(), QPoint{button->width(), 0}).x(), scan.panel().width());
   }
-  const auto* warning = scan.panel().findChild<QLabel*>("marksWarning");
+  const auto* warning = scan.panel().findChild<QLabel*>("marksAccuracy");
   EXPECT_FALSE(warning->visibleRegion().isEmpty());
   EXPECT_TRUE(list->hasFocus());
   scan.window.setFocus();
