@@ -179,15 +179,25 @@ bool LassoOperator::isInside(const haptics::Vec3& u, const NearEdges& near) cons
   // from the middle of its block: each edge that is crossed in between comes near the block
   const haptics::Vec3 p = pictureOf(near.middle), q = pictureOf(u);
   if (!parallel_ && !(p.z() > 0.0 && q.z() > 0.0)) return isInside(u);
-  const auto left = [](double ax, double ay, double bx, double by, double x, double y) {
-    return (bx - ax) * (y - ay) - (by - ay) * (x - ax) > 0.0;
+  const auto side = [](double ax, double ay, double bx, double by, double x, double y) {
+    return (bx - ax) * (y - ay) - (by - ay) * (x - ax);
   };
+  const double squared = (q - p).head<2>().squaredNorm();
   bool inside = near.inside;
   for (std::uint32_t n = near.first; n < near.first + near.count; ++n) {
     const WallPart& part = parts_[edges_[n]];
     const double ax = part.from[0], ay = part.from[1], bx = part.until[0], by = part.until[1];
-    if (left(p.x(), p.y(), q.x(), q.y(), ax, ay) != left(p.x(), p.y(), q.x(), q.y(), bx, by) &&
-        left(ax, ay, bx, by, p.x(), p.y()) != left(ax, ay, bx, by, q.x(), q.y()))
+    const double of_from = side(p.x(), p.y(), q.x(), q.y(), ax, ay);
+    const double of_until = side(p.x(), p.y(), q.x(), q.y(), bx, by);
+    const double of_middle = side(ax, ay, bx, by, p.x(), p.y());
+    const double of_here = side(ax, ay, bx, by, q.x(), q.y());
+    // a middle on an edge, or a place in line with one: rounding would decide
+    constexpr double kDoubt = 1e-9;
+    const double least =
+        std::min({std::abs(of_from), std::abs(of_until), std::abs(of_middle), std::abs(of_here)});
+    if (least <= kDoubt * (squared + (bx - ax) * (bx - ax) + (by - ay) * (by - ay)))
+      return isInside(u);
+    if ((of_from > 0.0) != (of_until > 0.0) && (of_middle > 0.0) != (of_here > 0.0))
       inside = !inside;
   }
   return inside;

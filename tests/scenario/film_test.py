@@ -132,11 +132,14 @@ def main():
         assert done.returncode == 0, done.stderr
         assert len(check_film(said, out, "h264", fast_times)) == 20
 
-        # Ogg, where no program is found
+        # where no program is found an MP4 is refused, and Ogg is made
         bare = {**os.environ, "PATH": str(work / "nothing")}
         shutil.rmtree(out)
         out.mkdir()
-        said, done = cli_said(cli, *film, "--out", out / "film.mp4", env=bare)
+        refused = cli_said(cli, *film, "--out", out / "film.mp4", env=bare)[1]
+        assert refused.returncode != 0 and b"install the package ffmpeg" in refused.stderr, refused.stderr
+        assert os.listdir(out) == [], os.listdir(out)
+        said, done = cli_said(cli, *film, "--out", out / "film.ogv", env=bare)
         assert done.returncode == 0, done.stderr
         assert said["film"].endswith("/film.ogv") and said["codec"] == "theora", said
         check_film(said, out, "theora", times)

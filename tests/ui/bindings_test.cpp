@@ -136,11 +136,11 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
   auto* take = window.findChild<QAction*>("takeTool");
   auto* picture = window.findChild<QAction*>("savePicture");
   EXPECT_EQ(take->shortcut(), QKeySequence(Qt::Key_G));
-  EXPECT_EQ(ui::changeKey("take_tool", key(Qt::Key_B)), "");
+  EXPECT_EQ(ui::changeKey("take_tool", key(Qt::Key_E)), "");
   EXPECT_EQ(ui::changeKey("save_picture", key(Qt::Key_F9)), "");
   EXPECT_EQ(ui::changeKey("slice_tool_to_cross", key(Qt::Key_Y, Qt::ShiftModifier)), "");
-  EXPECT_EQ(take->shortcut(), QKeySequence(Qt::Key_B));
-  EXPECT_TRUE(take->toolTip().contains("(B)")) << take->toolTip().toStdString();
+  EXPECT_EQ(take->shortcut(), QKeySequence(Qt::Key_E));
+  EXPECT_TRUE(take->toolTip().contains("(E)")) << take->toolTip().toStdString();
   EXPECT_EQ(picture->shortcut(), QKeySequence(Qt::Key_F9));
   EXPECT_TRUE(picture->toolTip().contains("(F9)"));
   EXPECT_TRUE(window.findChild<QAbstractButton*>("savePictureButton")->toolTip().contains("(F9)"));
@@ -149,11 +149,11 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
   // the view knows the new key, and the old one no longer
   ui::VolumeView& view = window.views().volume();
   view.setMouseHand(true);
-  EXPECT_TRUE(view.hint().contains("take it with B")) << view.hint().toStdString();
+  EXPECT_TRUE(view.hint().contains("take it with E")) << view.hint().toStdString();
   QApplication::setActiveWindow(&window);
   QTest::keyClick(&view, Qt::Key_G);
   EXPECT_EQ(view.mouseMode(), MouseMode::Look);
-  QTest::keyClick(&view, Qt::Key_B);
+  QTest::keyClick(&view, Qt::Key_E);
   EXPECT_EQ(view.mouseMode(), MouseMode::Hand);
   QTest::keyClick(&window.views().slice(ui::Plane::Axial), Qt::Key_J);
   EXPECT_EQ(to_cross.count(), 0);
@@ -161,7 +161,7 @@ TEST(Bindings, AnotherKeyIsTakenByViewsMenusTooltipsAndHelp) {
   EXPECT_EQ(to_cross.count(), 1);
   EXPECT_EQ(ui::ownKeys(),
             (ui::OwnKeys{
-                {"take_tool", "B"}, {"save_picture", "F9"}, {"slice_tool_to_cross", "Shift+Y"}}));
+                {"take_tool", "E"}, {"save_picture", "F9"}, {"slice_tool_to_cross", "Shift+Y"}}));
   ui::setOwnKeys({});
   EXPECT_EQ(take->shortcut(), QKeySequence(Qt::Key_G));
   EXPECT_EQ(picture->shortcut(), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
@@ -212,10 +212,10 @@ TEST(Bindings, WhatIsStoredAndCannotBeIsLeftOut) {
     ui::setOwnKeys({{"take_tool", odd}});
     EXPECT_EQ(ui::keyOf(Action::TakeTool), "G") << odd;
   }
-  ui::setOwnKeys({{"nothing", "B"}, {"", "B"}});
+  ui::setOwnKeys({{"nothing", "E"}, {"", "E"}});
   EXPECT_TRUE(ui::ownKeys().isEmpty());
   // two that want the same key, and one that wants another's
-  ui::setOwnKeys({{"take_tool", "B"}, {"parallel", "B"}, {"show_everything", "T"}});
+  ui::setOwnKeys({{"take_tool", "E"}, {"parallel", "E"}, {"show_everything", "T"}});
   EXPECT_TRUE(ui::conflictsIn(ui::bindings()).isEmpty());
   EXPECT_EQ(ui::ownKeys().size(), 1);
   // two that change places

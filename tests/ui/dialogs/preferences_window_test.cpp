@@ -150,9 +150,9 @@ TEST(PreferencesWindow, TheListOfShortcutsIsSearchedAndItsKeysAreChangedByPressi
   list.setFocus();
   QTest::keyClick(&list, Qt::Key_Return);
   ASSERT_TRUE(change.isChecked() && change.hasFocus());
-  QTest::keyClick(&change, Qt::Key_B);
-  EXPECT_EQ(list.item(take, 0)->text(), "B");
-  EXPECT_EQ(ui::keyOf(ui::Action::TakeTool), "B");
+  QTest::keyClick(&change, Qt::Key_E);
+  EXPECT_EQ(list.item(take, 0)->text(), "E");
+  EXPECT_EQ(ui::keyOf(ui::Action::TakeTool), "E");
   EXPECT_EQ(changed.count(), 1);
   EXPECT_FALSE(change.isChecked());
   EXPECT_TRUE(said.text().contains("G")) << said.text().toStdString();
@@ -160,7 +160,7 @@ TEST(PreferencesWindow, TheListOfShortcutsIsSearchedAndItsKeysAreChangedByPressi
   // taken: it says by what, and nothing changes
   change.click();
   QTest::keyClick(&change, Qt::Key_K);
-  EXPECT_EQ(list.item(take, 0)->text(), "B");
+  EXPECT_EQ(list.item(take, 0)->text(), "E");
   EXPECT_TRUE(said.text().contains("brings the crosshair to the tool"));
   EXPECT_EQ(changed.count(), 1);
   // with modifiers, which are no key by themselves; Escape takes none and closes nothing
@@ -170,7 +170,7 @@ TEST(PreferencesWindow, TheListOfShortcutsIsSearchedAndItsKeysAreChangedByPressi
   QTest::keyClick(&change, Qt::Key_Escape);
   EXPECT_FALSE(change.isChecked());
   EXPECT_TRUE(window.isVisible());
-  EXPECT_EQ(list.item(take, 0)->text(), "B");
+  EXPECT_EQ(list.item(take, 0)->text(), "E");
   reset.click();
   EXPECT_EQ(list.item(take, 0)->text(), "G");
   EXPECT_FALSE(reset.isEnabled());
@@ -227,7 +227,7 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
     auto& refusal = part<QLabel>(*window, "recordingsRefusal");
     EXPECT_TRUE(refusal.text().contains("/proc/self"));
     EXPECT_EQ(part<QLabel>(*window, "recordingsFolder").text(), folder.path());
-    EXPECT_EQ(ui::changeKey("take_tool", QKeyCombination(Qt::Key_B)), "");
+    EXPECT_EQ(ui::changeKey("take_tool", QKeyCombination(Qt::Key_E)), "");
     emit window->keysChanged();
     // where the next recording goes
     part<QPushButton>(main, "record").click();
@@ -246,7 +246,7 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
   EXPECT_EQ(kept.stiffness_always, 320.0);
   EXPECT_EQ(kept.servo_rate, 4000);
   EXPECT_EQ(kept.recordings, folder.path());
-  EXPECT_EQ(kept.keys, (ui::OwnKeys{{"take_tool", "B"}}));
+  EXPECT_EQ(kept.keys, (ui::OwnKeys{{"take_tool", "E"}}));
   // the next start begins with them
   ui::setOwnKeys({});
   ui::setLengthUnit(ui::LengthUnit::Millimetres);
@@ -255,7 +255,7 @@ TEST(PreferencesWindow, IsOpenedByItsKeyAndAppliesAndKeepsWhatIsChosen) {
   arguments.screenshot = {};
   app::Application application(arguments);
   application.start();
-  EXPECT_EQ(ui::keyOf(ui::Action::TakeTool), "B");
+  EXPECT_EQ(ui::keyOf(ui::Action::TakeTool), "E");
   EXPECT_EQ(ui::lengthUnit(), ui::LengthUnit::Centimetres);
   EXPECT_EQ(ui::style::theme(), ui::style::Theme::Light);
   EXPECT_FALSE(application.window().menus().hintsShown());

@@ -282,4 +282,35 @@ TEST(LassoCut, TakesWhatLiesWithinAndLeavesTheRest) {
   }
 }
 
+// Blocks of the cut have their middles at 3.5, 11.5, ...: on the edges of these outlines. Lengths
+// are powers of two, so that nothing is rounded.
+TEST(LassoCut, AnEdgeThroughTheMiddlesOfBlocksTurnsNothingInsideOut) {
+  Random random{196};
+  constexpr double kVoxel = 1.0 / 1024.0, kHalf = 12.0 * kVoxel;
+  const Grid grid = datasets::centredGrid(48, kVoxel);
+  const auto scan = noisySolid(grid, kBone, random);
+  for (int k = 0; k < 8; ++k) {
+    LassoCut cut;
+    // from the front; the outline turns to the left or to the right, from any of its corners
+    cut.X_WC.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+    cut.X_WC.translation() = Vec3{0.0, -0.25, 0.0};
+    cut.parallel = true;
+    cut.isovalue = kBone.isovalue;
+    cut.outline = {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
+    if (k % 2 == 1) std::ranges::reverse(cut.outline);
+    std::ranges::rotate(cut.outline, cut.outline.begin() + k / 2);
+    const Volume volume = applied(scan, cut);
+    const auto* after = static_cast<const std::int16_t*>(volume.voxels.get());
+    for (std::int64_t kk = 0, at = 0; kk < grid.dims[2]; ++kk)
+      for (std::int64_t j = 0; j < grid.dims[1]; ++j)
+        for (std::int64_t i = 0; i < grid.dims[0]; ++i, ++at) {
+          if (at == 0) continue;  // air
+          const Vec3 p_W = grid.worldOf(Vec3{double(i), double(j), double(kk)});
+          const double reach = std::max(std::abs(p_W.x()), std::abs(p_W.z()));
+          ASSERT_EQ(after[at] < kBone.isovalue, reach < kHalf)
+              << k << ": " << (p_W / kVoxel).transpose();
+        }
+  }
+}
+
 }  // namespace
