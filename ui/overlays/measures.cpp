@@ -69,6 +69,8 @@ double shareInside(const QPolygonF& line, const QRectF& box) {
   return all == 0 ? 0.0 : double(inside) / all;
 }
 
+constexpr double kOverBody = 3e3;  // how bad that is for a label
+
 /// Where a label of this size goes, and how bad that is: near its anchor, within the view, on no
 /// handle, clear of other labels and of the body as far as there is room.
 std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygonF& line,
@@ -98,7 +100,7 @@ std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygon
       if (box.adjusted(-kReach, -kReach, kReach, kReach).contains(p)) cost += 1e5;
     for (const QRectF& other : taken)
       if (other.adjusted(-2.0, -2.0, 2.0, 2.0).intersects(box)) cost += 1e4;
-    if (cost < least && view.showsBody(box.adjusted(-4.0, -4.0, 4.0, 4.0))) cost += 3e3;
+    if (cost < least && view.showsBody(box.adjusted(-4.0, -4.0, 4.0, 4.0))) cost += kOverBody;
     if (cost < least) cost += 1e3 * shareInside(line, box);
     if (cost >= least) continue;
     least = cost;
@@ -355,7 +357,8 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
   std::vector<MeasureLabel> labels;
   std::vector<QRectF> taken;
   // in more lines where it is then nearer by far, or over nothing
-  const auto add = [&](const QStringList& texts, QPointF anchor, const QPolygonF& line) {
+  const auto add = [&](const QStringList& texts, QPointF anchor, const QPolygonF& line,
+                       bool chosen) {
     constexpr double kLineBreak = 100.0;  // as far as it is from the anchor, pixels
     MeasureLabel label;
     double least = std::numeric_limits<double>::infinity();
@@ -366,6 +369,8 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
       least = cost + kLineBreak * static_cast<double>(n);
       label = {texts[n], box, anchor};
     }
+    // where only the body has room, the list and a click on the mark have its words
+    if (view.isSlice() && least >= kOverBody && !chosen) return;
     taken.push_back(label.box);
     labels.push_back(std::move(label));
   };
@@ -381,13 +386,14 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
     QPointF anchor = line.first();
     if (all_[i].kind == MeasureKind::Distance) anchor = 0.5 * (line[0] + line[1]);
     if (all_[i].kind == MeasureKind::Angle) anchor = line[1];
-    add(labelsOf(all_[i], metrics, seen.width() - 14.0), anchor, line);
+    add(labelsOf(all_[i], metrics, seen.width() - 14.0), anchor, line,
+        static_cast<int>(i) == selected_);
   }
   if (travel_) {
     const QPointF from = view.projected(travel_->from_mm), to = view.projected(travel_->to_mm);
     const QString length =
         numberWords(travel_->length_mm / mmPerLengthUnit(), lengthDecimals(1)) + ' ';
-    add({tr("Travelled %1").arg(length + lengthUnitName())}, from, {from, to});
+    add({tr("Travelled %1").arg(length + lengthUnitName())}, from, {from, to}, true);
   }
   return labels;
 }

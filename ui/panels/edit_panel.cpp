@@ -420,11 +420,15 @@ void EditPanel::showPreview(const QString& words, EditConfirm confirm) {
   remove_piece_->setVisible(confirm == EditConfirm::Piece);
   remove_->setVisible(confirm != EditConfirm::Piece);
   preview_->show();
-  // its buttons are in sight, wherever the panel was scrolled to
+  keepPreviewInSight();
+}
+
+/// With its buttons, wherever the panel was scrolled to.
+void EditPanel::keepPreviewInSight() {
   QTimer::singleShot(0, this, [this] {
     for (QWidget* part = parentWidget(); part != nullptr; part = part->parentWidget())
       if (auto* scroll = qobject_cast<QScrollArea*>(part)) {
-        scroll->ensureWidgetVisible(preview_, 0, 0);
+        scroll->ensureWidgetVisible(preview_, 0, style::kGap);
         return;
       } else if (part->layout() != nullptr) {
         part->layout()->activate();
@@ -437,6 +441,7 @@ bool EditPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) {
     preview_words_->setText(keep ? tr("Only this piece stays. What is hatched goes.")
                                  : tr("This piece goes: it is hatched."));
+    keepPreviewInSight();
     emit fateShown(keep);
   }
   return QWidget::eventFilter(watched, event);

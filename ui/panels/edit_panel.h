@@ -108,6 +108,7 @@ class EditPanel : public QWidget {
   QWidget* scalpelPage();
   QFrame* previewBar();
   void showPage();
+  void keepPreviewInSight();
   void emitPlaneNumbers();
 
   EditTool tool_ = EditTool::None;

@@ -415,6 +415,7 @@ TEST_F(Editing, APieceIsShownWithItsVolumeAndKeptOrRemoved) {
   const auto [removing, goes] = pointedAt("removePiece");
   const auto [keeping, stays] = pointedAt("keepPiece");
   keepWindow("edit_keep_piece");
+  QTest::qWait(50);  // the words may need another line
   EXPECT_EQ(child("cancelPreview").visibleRegion().boundingRect().size(),
             child("cancelPreview").size());
   EXPECT_NE(removing, keeping);
