@@ -69,6 +69,10 @@ class Card : public QFrame {
   }
 
  protected:
+  // as high as its words need at this width: a scroll area asks for less
+  void resizeEvent(QResizeEvent*) override {
+    setMinimumHeight(layout()->totalHeightForWidth(width()));
+  }
   void mouseReleaseEvent(QMouseEvent* event) override {
     if (event->button() == Qt::LeftButton && rect().contains(event->pos())) first_->click();
   }
