@@ -124,9 +124,9 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.proxy_layer->PreserveDepthBufferOn();
   s.veil_layer->PreserveDepthBufferOn();
   s.veil_layer->SetPass(s.veil);
+  s.look = std::move(look_of_view);
   s.veil->setOpacity(s.look.second_opacity);
   s.veil_layer->AddActor(s.surface.secondMesh());
-  s.look = std::move(look_of_view);
   s.veil_layer->SetDraw(s.look.second.has_value());
   addMarks(*s.overlay_layer, s.look.marks);
   s.curve = std::make_unique<FilmCurve>(*s.overlay_layer, width, height);

@@ -2833,10 +2833,6 @@
         <translation>Merken, wo die Aufnahme liegt, von dieser Datei aus</translation>
     </message>
     <message>
-        <source>The names of its folders are then in the file. Without it, the scan must be on view to open the file.</source>
-        <translation>Die Namen der Ordner stehen dann in der Datei. Ohne sie muss die Aufnahme zu sehen sein, um die Datei zu öffnen.</translation>
-    </message>
-    <message>
         <source>Saving the view</source>
         <translation>Ansicht wird gespeichert</translation>
     </message>
@@ -2895,6 +2891,10 @@
     <message>
         <source>Choose the scan of %1</source>
         <translation>Wählen Sie die Aufnahme von %1</translation>
+    </message>
+    <message>
+        <source>The names of its folders are then in the file. Without it, the scan is sought among the recent places, or you choose it.</source>
+        <translation>Die Namen seiner Ordner stehen dann in der Datei. Sonst wird die Aufnahme unter den letzten Orten gesucht, oder Sie wählen sie.</translation>
     </message>
 </context>
 <context>

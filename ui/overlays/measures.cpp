@@ -96,8 +96,10 @@ std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygon
     const QRectF box(corner, size);
     double cost = QLineF(nearestOf(box, anchor), anchor).length();
     if (!seen.contains(box)) cost += 1e6;
+    if (cost >= least) continue;
     for (const QPointF& p : handles)
       if (box.adjusted(-kReach, -kReach, kReach, kReach).contains(p)) cost += 1e5;
+    if (cost >= least) continue;
     for (const QRectF& other : taken)
       if (other.adjusted(-2.0, -2.0, 2.0, 2.0).intersects(box)) cost += 1e4;
     if (cost < least && view.showsBody(box.adjusted(-4.0, -4.0, 4.0, 4.0))) cost += kOverBody;

@@ -36,7 +36,8 @@ Messages::Messages(QMainWindow& window)
   connect(folder, &QPushButton::clicked, this, [this] { emit folderWanted(done_folder_); });
   connect(take_offer_, &QPushButton::clicked, this, [this] {
     offer_->hide();
-    offered_();
+    const auto take = offered_;  // what it does may offer something else
+    take();
   });
   QPushButton* drop = work_->addButton("dropWork");
   drop->setText(tr("&Discard"));

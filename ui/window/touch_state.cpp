@@ -85,8 +85,9 @@ void TouchState::setHand(const QString& label, Feel feel) {
 }
 
 void TouchState::showDetail(const haptics::Snapshot& snapshot) {
-  // of the loop that runs, to a tenth of a kilohertz
-  const double kHz = std::round(snapshot.servo_rate / 100.0) / 10.0;
+  // of the loop that runs: a rate that it has but for a busy moment, else to a tenth
+  const double measured = snapshot.servo_rate * 1e-3, whole = std::round(measured);
+  const double kHz = std::abs(measured - whole) < 0.25 ? whole : std::round(10.0 * measured) / 10.0;
   const bool known = snapshot.policy != haptics::SchedulingPolicy::NotStarted && kHz > 0.0;
   bar_.force().setDetail(known ? tr("%1 · %2 kHz").arg(hand_, QLocale().toString(kHz)) : hand_);
 }

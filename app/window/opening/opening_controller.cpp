@@ -94,12 +94,7 @@ void OpeningController::load(LoadRequest request, const QString& what) {
   emit loading();
   if (!request.keep) choice_.close();
   request.options = shared_.options;
-  if (request.keep && request.tool) {
-    tool_ = request.tool;
-    if (!tool_->file) preferences_.present().tool = QString::fromStdString(tool_->name);
-  } else if (request.path && !request.tool) {
-    request.tool = rememberedTool();
-  }
+  if (request.path && !request.tool) request.tool = rememberedTool();
   if (shared_.shown) request.previous = shared_.shown->scene;
   loader_.start(std::move(request));
 }
@@ -161,6 +156,11 @@ void OpeningController::adopt(const Loaded& loaded) {
         tr("Preparing the tool"));
   const bool new_volume = !shared_.shown || shared_.shown->volume() != loaded.volume();
   const bool placed = !new_volume && shared_.snapshot.scene == shared_.shown->scene->id;
+  if (!new_volume && (loaded.tool.name != shared_.shown->tool.name ||
+                      loaded.tool.file != shared_.shown->tool.file)) {
+    tool_ = loaded.tool;  // one that can be read
+    if (!tool_->file) preferences_.present().tool = QString::fromStdString(tool_->name);
+  }
   // an edit's picture may have come while another tool was prepared
   const ui::Picture picture = new_volume ? loaded.picture : shared_.shown->picture;
   shared_.shown = loaded;

@@ -47,11 +47,20 @@ struct Found {
   fs::file_time_type time;
 };
 
+/// What a folder has, as far as it can be read.
+std::vector<fs::directory_entry> entriesOf(const fs::path& folder) {
+  std::vector<fs::directory_entry> entries;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    entries.push_back(*at);
+  return entries;
+}
+
 /// The work in a folder.
 std::vector<Found> workIn(const fs::path& folder) {
   std::vector<Found> found;
   std::error_code error;
-  for (const auto& file : fs::directory_iterator(folder, error)) {
+  for (const auto& file : entriesOf(folder)) {
     const auto hash = hashFromHex(file.path().stem().string());
     if (!hash || file.path().extension() != kViewEnding) continue;
     const auto time = file.last_write_time(error);
@@ -64,7 +73,7 @@ std::vector<Found> workIn(const fs::path& folder) {
 template <class Use>
 void visitEnded(const fs::path& folder, const fs::path& own, const Use& use) {
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
+  for (const auto& entry : entriesOf(folder)) {
     if (entry.path() == own || !entry.is_directory(error) || entry.is_symlink(error)) continue;
     const int lock = takeLock(entry.path(), 0);
     if (lock < 0) continue;
@@ -149,11 +158,9 @@ void Journal::forget() {
   if (!isOn()) return;
   clear();
   std::error_code error;
-  std::vector<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(folder_, error)) folders.push_back(entry.path());
   // those of others that run: what they keep, not what they hold
-  for (const fs::path& folder : folders)
-    for (const Found& found : workIn(folder)) fs::remove(found.left.path, error);
+  for (const auto& folder : entriesOf(folder_))
+    for (const Found& found : workIn(folder.path())) fs::remove(found.left.path, error);
   sweep();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/sessions/export_task.h"
 
+#include <algorithm>
+
 #include <utility>
 
 #include "app/export/export.h"
@@ -29,12 +31,15 @@ haptics::Expected<QString> film(Recording& recording, const ExportRequest& reque
   options.camera = request.camera;
   options.look = request.look;
   options.goes_on = std::move(goes_on);
+  const auto isOnView = [&](const RecordedScene& scene) {
+    return request.volume && liesLike(scene.volume, *request.volume) &&
+           compared(scene.hash, request.hash) != SameVolume::Another;
+  };
+  // marks of another scan would stand at wrong places
+  if (std::ranges::none_of(recording.scenes(), isOnView)) options.look.marks.clear();
   const auto volume = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Volume> {
     const RecordedScene* scene = recording.scene(id);
-    const bool there = scene != nullptr && request.volume &&
-                       liesLike(scene->volume, *request.volume) &&
-                       compared(scene->hash, request.hash) != SameVolume::Another;
-    if (!there) return nullptr;
+    if (scene == nullptr || !isOnView(*scene)) return nullptr;
     // as it was when the scene was touched
     const auto volume_then = editedAsRecorded(request.volume, *scene);
     return volume_then ? *volume_then : nullptr;

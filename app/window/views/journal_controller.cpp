@@ -71,7 +71,9 @@ JournalController::JournalController(ui::Messages& messages, SharedState& shared
     log::write(log::Level::Info, "work-resumed");
     taken_ = resumed;
     written_.reset();
+    in_journal_ = false;
   });
+  connect(&files, &ViewFileController::saved, this, &JournalController::endKept);
   connect(&timer_, &QTimer::timeout, this, [this] { check(false); });
   timer_.start(kSeenMs);
 }
@@ -158,7 +160,8 @@ void JournalController::leaveScan() {
   const auto left = std::exchange(seen_, {});
   first_.reset();
   taken_.reset();
-  if (!std::exchange(written_, {}) || !left) return;
+  written_.reset();
+  if (!std::exchange(in_journal_, false) || !left || !left->hash || !isOn()) return;
   ViewFile view = *left;
   view.edits.clear();
   if (!view.marks.empty()) return write(view);
@@ -194,6 +197,7 @@ void JournalController::check(bool last) {
     return;
   if (written_ ? !differ(*written_, now) : !taken_ && !isWork(*first_, now)) return;
   since_written_.start();
+  in_journal_ = true;
   written_ = now;
   write(now);
 }
@@ -223,7 +227,16 @@ void JournalController::forget() {
   messages_.hideWork();
   // what is done from now on is kept, if it may be
   first_ = written_ = seen_;
+  in_journal_ = false;
   taken_.reset();
+}
+
+/// The view of the scan was saved, so it is no longer kept.
+void JournalController::endKept() {
+  if (!std::exchange(in_journal_, false) || !seen_ || !seen_->hash) return;
+  writer_.wait();
+  journal_.remove(*seen_->hash);
+  first_ = written_ = seen_;
 }
 
 void JournalController::close(bool asked) {

@@ -60,6 +60,7 @@ class JournalController : public QObject {
   void check(bool last);
   void write(const ViewFile& view);
   void leaveScan();
+  void endKept();
 
   ui::Messages& messages_;
   SharedState& shared_;
@@ -69,7 +70,8 @@ class JournalController : public QObject {
   std::shared_ptr<const haptics::Volume> scan_;  ///< on view
   std::optional<ViewFile> first_;                ///< as the scan was when it came
   std::optional<ViewFile> seen_;                 ///< newest
-  std::optional<ViewFile> written_;              ///< in the journal; none: nothing yet
+  std::optional<ViewFile> written_;              ///< when it was kept last, or need not be
+  bool in_journal_ = false;                      ///< whether something of this scan is
   std::optional<Journal::Left> resuming_, taken_;
   bool told_ = false;  ///< that nothing can be kept
   QTimer timer_;

@@ -24,7 +24,8 @@ namespace app {
 namespace {
 
 constexpr int kPictureSaidMs = 6000;
-constexpr double kRestForce = 0.3;  // N, of a tool that was brought to the surface
+constexpr double kRestForce = 0.3;        // N, of a tool that was brought to the surface
+constexpr double kLeastStiffness = 50.0;  // N/m: a softer spring is not pressed farther
 
 /// What is in a picture and when it was taken, never of whom.
 QString pictureName(const ui::ScreenshotWish& wish) {
@@ -72,7 +73,7 @@ void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& no
            "with more room."),
         kPictureSaidMs);
   // the mouse goes on until the tip bears on the surface
-  const double press = kRestForce / shared_.settings.stiffness;
+  const double press = kRestForce / std::max(shared_.settings.stiffness, kLeastStiffness);
   haptics::Pose X_WH = *X_WT;
   X_WH.translation() += place->p_W - press * place->normal_W - *X_WT * tipOf(scene.tool);
   emit toolPlaced(*X_WT, X_WH);

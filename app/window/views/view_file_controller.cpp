@@ -95,6 +95,8 @@ void ViewFileController::open(const std::filesystem::path& path) {
 void ViewFileController::resume(ViewFile work) { begin(std::move(work), {}); }
 
 void ViewFileController::begin(ViewFile view, const std::filesystem::path& path) {
+  drop();  // one that is still being opened
+  tool_seeker_.abandon();
   opening_ = std::move(view);
   opening_path_ = path;
   place_tried_ = known_tried_ = placing_ = false;
@@ -398,8 +400,8 @@ bool ViewFileController::askAndSave() {
   place->setObjectName("rememberScan");
   place->setEnabled(!shared_.shown->place.empty());
   place->setToolTip(
-      tr("The names of its folders are then in the file. Without it, the scan must be "
-         "on view to open the file."));
+      tr("The names of its folders are then in the file. Without it, the scan is sought among the "
+         "recent places, or you choose it."));
   if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout())) {
     grid->addWidget(words, grid->rowCount(), 0, 1, -1);
     grid->addWidget(place, grid->rowCount(), 0, 1, -1);
@@ -461,6 +463,7 @@ void ViewFileController::write() {
     edits_in_file_ = textsOf(view.edits);
     saved_as_ = saving_path_;
     saved_with_place_ = saving_with_place_;
+    emit saved();
   }
   messages_.showDone(tr("The view was saved as %1.").arg(inQuotes(saving_path_)),
                      QString::fromStdString(saving_path_.parent_path().string()));

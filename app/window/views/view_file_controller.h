@@ -81,6 +81,8 @@ class ViewFileController : public QObject {
   void isovalueWanted(double isovalue);
   /// Why a view was not opened, as it is shown.
   void refused(const QString& sentence);
+  /// The view of the scan on view is in a file.
+  void saved();
   /// A view was opened whole, was saved, or could not be.
   void finished(bool done);
 

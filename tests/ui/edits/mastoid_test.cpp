@@ -169,6 +169,12 @@ TEST_F(Mastoid, FiveActionsFromTheStartToTheTouch) {
   // another scan begins with the tool that was chosen
   QTest::mouseClick(&child("tile-hook"), Qt::LeftButton);
   EXPECT_TRUE(waitFor([&] { return application_->shown()->tool.name == "hook"; }));
+  // a file that is no tool is refused, and not asked of the next scan
+  const fs::path broken = fs::path(scans_.path().toStdString()) / "broken.stl";
+  std::ofstream(broken) << "solid";
+  emit window::panelOf<ui::DevicePanel>(window()).toolFileChosen(
+      QString::fromStdString(broken.string()), "mm");
+  EXPECT_TRUE(waitFor([&] { return messageIsShown(); }));
   const auto before = application_->shown()->scene->id;
   window::discardWhenAsked(window());
   emit window().menus().openWanted(QString::fromStdString(scan().string()));

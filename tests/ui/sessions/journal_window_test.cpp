@@ -252,6 +252,12 @@ TEST(Journal, ForgettingPlacesRemovesItAtOnceAndOffKeepsNothing) {
   application->marks().measures().replace(twoMarks());
   QTest::qWait(1'500);
   EXPECT_TRUE(user.works().empty());
+  // nor where the scan is left with its marks
+  const auto scene = application->shown()->scene->id;
+  emit menus.phantomWanted("torus");
+  EXPECT_TRUE(waitFor([&] { return application->shown()->scene->id != scene; }));
+  QTest::qWait(300);
+  EXPECT_TRUE(user.works().empty());
   application->end();
   EXPECT_TRUE(user.works().empty());
 }

@@ -195,6 +195,12 @@ TEST(ToolPlace, TheMouseComesThereWithItsHandAndRestsOnTheSurface) {
       [&] { return (application.snapshot().X_WP.translation() - pressed).norm() > 0.005; }));
   window::afterTicks(application, 200);
   EXPECT_LT(application.snapshot().felt_W.force.norm(), 0.5);
+  // of a spring that is none the hand goes no farther than a few millimetres
+  emit window::panelOf<ui::DevicePanel>(application.window()).stiffnessChanged(0.0);
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(view.width() / 2, view.height() / 2));
+  window::afterTicks(application, 300);
+  const haptics::Snapshot& soft = application.snapshot();
+  EXPECT_LT((soft.X_WD.translation() - soft.X_WP.translation()).norm(), 0.010);
 }
 
 TEST(ToolPlace, AClickInASliceAndTheCrosshairAndASimulatedHand) {

@@ -172,14 +172,15 @@ TEST(Slice, SaysLengthsInTheUnitThatWasChosen) {
 
 TEST(GreyPresets, AreTheUsualWindowsAndTheFullRange) {
   const auto presets = ui::hounsfieldPresets();
-  ASSERT_EQ(presets.size(), 5U);
+  ASSERT_EQ(presets.size(), 6U);
   const auto black = [](const ui::GreyWindow& g) { return g.level - 0.5 * g.width; };
   const auto white = [](const ui::GreyWindow& g) { return g.level + 0.5 * g.width; };
-  EXPECT_EQ(black(presets[0].grey), -500.0);  // bone
-  EXPECT_EQ(white(presets[1].grey), 2700.0);  // temporal bone: to the densest
-  EXPECT_EQ(black(presets[2].grey), -160.0);  // soft tissue
-  EXPECT_EQ(white(presets[3].grey), 150.0);   // lung
-  EXPECT_EQ(white(presets[4].grey), 80.0);    // brain
+  EXPECT_EQ(black(presets[0].grey), -160.0);  // soft tissue
+  EXPECT_EQ(black(presets[1].grey), -500.0);  // bone
+  EXPECT_EQ(white(presets[2].grey), 150.0);   // lung
+  EXPECT_EQ(white(presets[3].grey), 80.0);    // brain
+  EXPECT_EQ(black(presets[4].grey), -125.0);  // mediastinum
+  EXPECT_EQ(white(presets[5].grey), 2700.0);  // temporal bone: to the densest
   const haptics::Volume volume = volumes::made(straightGrid(), waves);
   EXPECT_EQ(black(ui::fullRange(volume)), volume.least);
   EXPECT_EQ(white(ui::fullRange(volume)), volume.greatest);

@@ -297,8 +297,8 @@ TEST(LassoCut, AnEdgeThroughTheMiddlesOfBlocksTurnsNothingInsideOut) {
     cut.parallel = true;
     cut.isovalue = kBone.isovalue;
     cut.outline = {{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}};
-    if (k % 2 == 1) std::ranges::reverse(cut.outline);
-    std::ranges::rotate(cut.outline, cut.outline.begin() + k / 2);
+    if (k % 2 == 1) std::reverse(cut.outline.begin(), cut.outline.end());
+    std::rotate(cut.outline.begin(), cut.outline.begin() + k / 2, cut.outline.end());
     const Volume volume = applied(scan, cut);
     const auto* after = static_cast<const std::int16_t*>(volume.voxels.get());
     for (std::int64_t kk = 0, at = 0; kk < grid.dims[2]; ++kk)
