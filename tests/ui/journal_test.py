@@ -45,7 +45,9 @@ X11.XStringToKeysym.restype = ctypes.c_ulong
 home = folder / "PLNTHOME"
 home.mkdir(parents=True)
 data, state = home / "data", folder / "state"
-environment = dict(os.environ, HOME=str(home), XDG_CONFIG_HOME=str(home / "config"), XDG_DATA_HOME=str(data),
+# its own folder for temporary files: a scan in the system's is no recent place, and the build may lie there
+(folder / "tmp").mkdir()
+environment = dict(os.environ, TMPDIR=str(folder / "tmp"), HOME=str(home), XDG_CONFIG_HOME=str(home / "config"), XDG_DATA_HOME=str(data),
                    XDG_STATE_HOME=str(state), LC_ALL="C.UTF-8")
 who = nobody.unmistakable()
 words = nobody.planted + ["PLNT", "Jane", str(folder)]
