@@ -40,7 +40,7 @@ EditWatch partOf(const EditWatch& watch, double from, double until);
 
 /// The isosurface of the trilinear field between the voxels that exist (Volume::bounds), as
 /// triangles. Where the solid meets their border, the surface is closed by a plane: the outer faces
-/// of the outermost voxels. Which solid parts are connected is the rule of Pieces.
+/// of the outermost voxels. Solid parts are connected by the rule of Pieces.
 class Surface {
  public:
   /// `largest`: only the largest connected part of the solid, with its cavities. Refuses an

@@ -3553,7 +3553,7 @@
         <translation>%L1 Bearbeitungen</translation>
     </message>
     <message>
-        <source>Draw an outline with the left button, in 3-D or on a slice, or click its corners; the last one twice. What it takes is shown before it is cut.</source>
+        <source>Draw an outline with the left button, in 3-D or on a slice, or click its corners; the last one twice. The cut is shown before it is made.</source>
         <translation>Zeichnen Sie mit der linken Taste einen Umriss, in 3-D oder auf einer Schicht, oder klicken Sie seine Ecken; die letzte zweimal. Vor dem Schnitt wird gezeigt, was er nimmt.</translation>
     </message>
     <message>

@@ -308,7 +308,7 @@ QWidget* EditPanel::scalpelPage() {
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(
       hintLabel(tr("Draw an outline with the left button, in 3-D or on a slice, or click its "
-                   "corners; the last one twice. What it takes is shown before it is cut.")));
+                   "corners; the last one twice. The cut is shown before it is made.")));
   connect(depth_, &NumberBox::valueChanged, this, &EditPanel::scalpelChanged);
   connect(side_, &QComboBox::currentIndexChanged, this, &EditPanel::scalpelChanged);
   column->addLayout(form);

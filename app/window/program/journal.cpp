@@ -113,7 +113,7 @@ haptics::Expected<void> Journal::hold() {
   // another process may take one that has no lock yet for one that is over
   constexpr int kTries = 5;
   for (int n = 0; n < kTries && lock_ < 0; ++n) {
-    std::string made = (folder_ / "XXXXXX").string();  // mkdtemp fills it in
+    std::string made = (folder_ / std::string(6, 'X')).string();  // mkdtemp's own letters
     if (::mkdtemp(made.data()) == nullptr) return cannotKeep(folder_, errno);
     own_ = made;
     lock_ = takeLock(own_, O_CREAT | O_EXCL);

@@ -20,7 +20,7 @@ class GreyKeeper : public QObject {
 
   /// After another volume is shown.
   void showScene();
-  /// What is kept for the scan that is shown; none: the window is the one at first.
+  /// The window that is kept for the scan on view; none: it is the one at first.
   std::optional<ui::GreyWindow> kept() const;
   /// Keeps a window for the scan that is shown.
   void keep(const ui::GreyWindow& grey);

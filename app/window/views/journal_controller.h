@@ -38,7 +38,7 @@ class JournalController : public QObject {
   void close(bool asked);
 
  signals:
-  /// What was done is in the journal.
+  /// The newest work is in the journal.
   void kept();
 
  private:
