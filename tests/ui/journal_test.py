@@ -137,6 +137,23 @@ def wait(process, what, found):
         time.sleep(0.02)
 
 
+def press(process, display, what, done, *keys, first=()):
+    """Presses keys until they were heard: what comes before the window is ready for it does nothing, and a machine
+    with much to do is ready later."""
+    for pause in (0.5, 2.0, 6.0, 20.0):
+        if first:
+            display.key(*first)
+        time.sleep(pause)
+        display.focus()
+        display.key(*keys)
+        end = time.monotonic() + 5.0 + 2.0 * pause
+        while time.monotonic() < end:
+            if done():
+                return
+            time.sleep(0.02)
+    wait(process, what, done)
+
+
 def works():
     """What is kept, newest first. A file is there whole or not at all."""
     found = []
@@ -194,8 +211,7 @@ for n in range(kills):
     display.move(*SPACE)
     display.focus()
     if n > 0:
-        display.key("Alt_L", "c")
-        wait(process, "the work is back", lambda: log().count(RESUMED) > resumed)
+        press(process, display, "the work is back", lambda: log().count(RESUMED) > resumed, "Alt_L", "c")
     pressed = []  # when each mark was made
     before = had_marks
 
@@ -263,17 +279,11 @@ offered, opened = log().count(OFFERED), log().count(" scan-opened ")
 process = started(display)
 wait(process, "the offer at the start", lambda: log().count(OFFERED) > offered)
 display.move(*SPACE)
-time.sleep(0.5)
-display.focus()
-display.key("Alt_L", "c")
-wait(process, "its scan", lambda: log().count(" scan-opened ") > opened)
+press(process, display, "its scan", lambda: log().count(" scan-opened ") > opened, "Alt_L", "c")
 had = marks()
 wait(process, "the work is back", lambda: len(works()) == 1 and marks() == had)
 time.sleep(1.5)
-display.key("Control_L", "q")
-time.sleep(1.0)
-display.focus()
-display.key("Alt_L", "d")
+press(process, display, "its end", lambda: process.poll() is not None, "Alt_L", "d", first=("Control_L", "q"))
 code = process.wait(timeout=LONG)
 assert code == 0, code
 assert not works(), works()

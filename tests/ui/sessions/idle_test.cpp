@@ -20,6 +20,7 @@
 #include "haptics/session.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/window_support.h"
+#include "ui/controls/state_chip.h"
 #include "ui/panels/force_plot.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
@@ -41,10 +42,10 @@ class Paints : public QObject {
     if (event->type() == QEvent::Paint) {
       const QString name = target->objectName();
       ++counts_[name.isEmpty() ? QString(target->metaObject()->className()) : name];
-      if (const auto* label = qobject_cast<QLabel*>(target); label && name == "statusLine") {
-        news_ += label->text() != status_;
-        status_ = label->text();
-      }
+      if (const auto* label = qobject_cast<QLabel*>(target); label && name == "statusLine")
+        countNews(status_, label->text());
+      if (const auto* chip = qobject_cast<ui::StateChip*>(target); chip && name == "forceStateBar")
+        countNews(chip_, chip->text() + chip->detail());
     }
     return false;
   }
@@ -63,16 +64,22 @@ class Paints : public QObject {
   }
 
  private:
+  void countNews(QString& had, const QString& words) {
+    news_ += words != had;
+    had = words;
+  }
+
   QMap<QString, int> counts_;
-  QString status_;
+  QString status_, chip_;
   int news_ = 0;
 };
 
 struct Cost {
   double seconds = 0.0;
   int paints = 0;
-  double cpu = 0.0;                    ///< of a core, all threads
-  int status = 0, news = 0, view = 0;  ///< news: texts of the status line that are others
+  double cpu = 0.0;  ///< of a core, all threads
+  int status = 0, news = 0,
+      view = 0;  ///< news: other words in the status line or the chip of the force
   std::string words;
 };
 
@@ -113,8 +120,8 @@ void awaitRest() {
   }
 }
 
-// a busy machine has news of its servo loop, and what lies under the status line is painted with
-// it: five paints
+// a busy machine has news of its servo loop, and what lies under the status line and the chip is
+// painted with it: five paints
 constexpr int kHandful = 2, kOfNews = 5;
 constexpr double kQuiet = 0.15;  // of a core; it is 2 to 3 %, and was 90
 
