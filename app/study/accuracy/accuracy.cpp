@@ -94,6 +94,20 @@ Study accuracyStudy(Depth depth) {
       return pointStudy(false, {1'000, 10'000, 100'000, 1'000'000}, {100, 200, 500});
     });
   add("omissions", "Omissions", 0.1, [](std::uint64_t) { return omissions(); });
+  study.front = {
+      {{"The tool never enters the surface: the deepest point of any tick is {worst} inside, in "
+        "{count} runs.",
+        ": penetration"},
+       {"No point of the tool passes through a wall: {worst} in {count} runs.",
+        ": points through walls"},
+       {"Held still against a solid whose nearest place is known in closed form, the proxy is at "
+        "most {worst} from it.",
+        ": position of ours"},
+       {"The force's direction there is at most {worst} off.", ": direction of our force"},
+       {"Freed of the paper's freezing, the proxy stays nearer to the device: its mean distance is "
+        "at most {worst} times that of the paper's algorithm as it is written, on the same hands.",
+        ": coupling distance, ours over literal"}},
+      {"bone: coupling distance", "engine: coupling distance", "Lag of a plate flat on a plane"}};
   return study;
 }
 

@@ -75,8 +75,8 @@ void addTo(Outcome& outcome, const WorkPrecision& work) {
       const double mean =
           point.runs.empty() ? comparison::mean(cost) : comparison::median(point.runs);
       places.emplace_back(mean, median);
-      series.points.push_back(
-          {places.back().first, median, median, comparison::quantile(error, 0.99)});
+      series.points.push_back({places.back().first, median, median,
+                               comparison::quantile(error, 0.99), true, point.setting});
       rows.push_back(
           {method, point.setting, quantilesOf(cost), spreadOf(point.runs), quantilesOf(error), ""});
       for (std::string& count : countsOf(point.counts)) rows.back().push_back(std::move(count));

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/page/page.h"
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 namespace study {
 namespace {
+
+constexpr std::size_t kMostRows = 400;  // of a table: the page stays one that can be opened
 
 // Series are told apart by colour (after Okabe and Ito, for all kinds of colour vision), by mark,
 // and by dashes; the colours are lighter on a dark ground.
@@ -34,6 +40,10 @@ summary { color: var(--quiet); cursor: pointer; }
 svg { width: 100%; height: auto; font: 12px system-ui, sans-serif; fill: var(--ink); }
 svg path { fill: none; } .axes path { stroke: var(--rule); } .axes .lane { stroke: var(--quiet); }
 .bound { stroke: var(--bad); stroke-width: 1.6; stroke-dasharray: 8 3; }
+div.overview { display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 1rem;
+  width: min(94vw, 96rem); margin-left: calc(50% - min(47vw, 48rem)); }
+div.overview figure { margin: 0; }
+.setting { font-size: 9px; fill: var(--quiet); } .see { color: var(--quiet); margin: .2rem 0; }
 .line { stroke-width: 1.6; } .spread { stroke-width: 1; opacity: .6; }
 )";
 
@@ -60,18 +70,27 @@ void Page::command(const std::string& text) {
   body_ += "<pre><code>" + escaped(text) + "</code></pre>\n";
 }
 
+void Page::list(const std::vector<std::string>& sentences) {
+  body_ += "<ol>\n";
+  for (const std::string& sentence : sentences) body_ += "<li>" + escaped(sentence) + "</li>\n";
+  body_ += "</ol>\n";
+}
+
 void Page::table(const Table& table) {
   body_ += "<div class='wide'><table>";
   if (!table.caption.empty()) body_ += "<caption>" + escaped(table.caption) + "</caption>";
   body_ += "<thead><tr>";
   for (const std::string& cell : table.head) body_ += "<th scope='col'>" + escaped(cell) + "</th>";
   body_ += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : table.rows) {
+  for (const auto& row : std::span{table.rows}.first(std::min(table.rows.size(), kMostRows))) {
     body_ += "<tr>";
     for (const std::string& cell : row) body_ += "<td>" + escaped(cell) + "</td>";
     body_ += "</tr>\n";
   }
   body_ += "</tbody></table></div>\n";
+  if (table.rows.size() > kMostRows)
+    paragraph("These are the first " + std::to_string(kMostRows) + " of " +
+              std::to_string(table.rows.size()) + " rows; results.json has all.");
 }
 
 void Page::pictures(const std::vector<Picture>& pictures) {
@@ -97,17 +116,40 @@ void Page::links(const std::vector<Link>& links) {
 }
 
 void Page::plot(const Plot& plot) {
-  const std::string id = "plot-" + std::to_string(++plots_);
-  body_ += "<figure>\n<figcaption>" + escaped(plot.title) + "</figcaption>\n" + svgOf(plot, id);
-  Table figures{{}, {"series", plot.x.label, plot.y.label, "from", "to"}, {}};
+  Table figures{{}, {"series", "setting", plot.x.label, plot.y.label, "from", "to"}, {}};
+  bool all_zero = true;
   for (const Series& series : plot.series)
-    for (const PlotPoint& p : series.points)
+    for (const PlotPoint& p : series.points) {
+      const auto isZero = [](double value) { return value == 0.0 || std::isnan(value); };
+      all_zero = all_zero && p.y == 0.0 && isZero(p.low) && isZero(p.high);
       figures.rows.push_back(
-          {series.name, shortly(p.x), shortly(p.y), shortly(p.low), shortly(p.high)});
-  if (plot.bound) figures.rows.push_back({plot.bound_name, "", shortly(*plot.bound), "", ""});
+          {series.name, p.setting, shortly(p.x), shortly(p.y), shortly(p.low), shortly(p.high)});
+    }
+  if (all_zero && !figures.rows.empty()) {
+    paragraph(plot.title + ": " + plot.y.label + " is 0 at each of " +
+              std::to_string(figures.rows.size()) + " points, so there is nothing to draw.");
+    return;
+  }
+  if (plot.bound) figures.rows.push_back({plot.bound_name, "", "", shortly(*plot.bound), "", ""});
+  figure(plot);
   body_ += "<details><summary>The figures</summary>\n";
   table(figures);
   body_ += "</details>\n</figure>\n";
+}
+
+void Page::overview(const std::vector<Plot>& plots) {
+  body_ += "<div class='overview'>\n";
+  for (const Plot& plot : plots) {
+    figure(plot);
+    body_ += "</figure>\n";
+  }
+  body_ += "</div>\n";
+}
+
+void Page::figure(const Plot& plot) {
+  const std::string id = "plot-" + std::to_string(++plots_);
+  body_ += "<figure>\n<figcaption>" + escaped(plot.title) + "</figcaption>\n" + svgOf(plot, id) +
+           "<p class='see'>" + escaped(plot.description) + "</p>\n";
 }
 
 std::string Page::html() const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "app/study/page/text.h"
 
@@ -14,9 +15,11 @@ constexpr double kWidth = 640.0, kHeight = 300.0;
 constexpr double kLeft = 76.0, kRight = 22.0, kTop = 12.0, kBottom = 46.0;
 constexpr double kLane = 30.0;  // of the zeros on a logarithmic axis
 constexpr double kLegendRow = 18.0;
-constexpr int kLegendColumns = 3;     // at most
-constexpr double kLegendLine = 32.0;  // of a series' look, before its name
-constexpr double kLetter = 7.2;       // wide, a little more than most are in this size
+constexpr int kLegendColumns = 3;                  // at most
+constexpr double kLegendLine = 32.0;               // of a series' look, before its name
+constexpr double kLetter = 7.2;                    // wide, a little more than most are in this size
+constexpr double kSmall = 5.2, kSmallHigh = 10.0;  // a letter of a setting
+constexpr std::size_t kMostSettings = 80;          // that are written into one plot
 
 /// A power of ten as it is written: 10⁻³, but 0.1, 1, 10 and 100 as they are.
 std::string powerOfTen(int exponent) {
@@ -46,8 +49,13 @@ class Side {
     if (values.empty()) values = {1.0};
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     if (log_) {
-      low_ = std::floor(std::log10(*least));
-      high_ = std::max(low_ + 1.0, std::ceil(std::log10(*most)));
+      const double room = std::max(0.04 * std::log10(*most / *least), 0.03);
+      low_ = std::log10(*least) - room;
+      high_ = std::log10(*most) + room;
+      while (marks().size() < 2) {
+        low_ -= 0.1;
+        high_ += 0.1;
+      }
       return;
     }
     // from zero where that wastes less than half
@@ -88,13 +96,32 @@ class Side {
       return all;
     }
     if (lane_) all.push_back({at(0.0), "0"});
+    if (high_ - low_ < 1.8) {
+      for (const double value : marks()) all.push_back({at(value), shortly(value)});
+      return all;
+    }
     const int every = std::max(1, static_cast<int>(std::ceil((high_ - low_) / 8.0)));
-    for (int e = static_cast<int>(low_); e <= static_cast<int>(high_); e += every)
+    for (int e = static_cast<int>(std::ceil(low_)); e <= static_cast<int>(high_); e += every)
       all.push_back({at(std::pow(10.0, e)), powerOfTen(e)});
     return all;
   }
 
  private:
+  /// Of a logarithmic side of few decades, from low to high: 1, 2 and 5 times each power of ten,
+  /// or more where that is less than two.
+  std::vector<double> marks() const {
+    std::vector<double> marks = marksOf({1, 2, 5});
+    return marks.size() < 2 ? marksOf({1, 2, 3, 4, 5, 6, 7, 8, 9}) : marks;
+  }
+  std::vector<double> marksOf(std::initializer_list<int> of) const {
+    std::vector<double> marks;
+    for (int e = static_cast<int>(std::floor(low_)); e <= static_cast<int>(std::floor(high_)); ++e)
+      for (const int times : of)
+        if (const double value = times * std::pow(10.0, e);
+            std::log10(value) >= low_ && std::log10(value) <= high_)
+          marks.push_back(value);
+    return marks;
+  }
   double lane() const { return lane_ ? std::copysign(kLane, to_ - from_) : 0.0; }
 
   bool log_, lane_ = false;
@@ -134,6 +161,40 @@ std::string mark(int series, double x, double y) {
       return text("<path class='open' d='M%.2f %.2fh8m-4 -4v8'/>", x - 4.0, y);
   }
 }
+
+struct Box {
+  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+  bool meets(const Box& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+/// Settings beside their marks: each at the first of four places where it meets no mark, no other
+/// setting and no edge; without such a place it is left out.
+class Settings {
+ public:
+  explicit Settings(std::vector<Box> marks) : taken_{std::move(marks)} {}
+  std::string beside(double x, double y, const std::string& words) {
+    const double wide = kSmall * double(lettersIn(words)), half = 0.5 * kSmallHigh;
+    const Box places[] = {{x + 7.0, y - half, x + 7.0 + wide, y + half},
+                          {x - 7.0 - wide, y - half, x - 7.0, y + half},
+                          {x - 0.5 * wide, y - 6.0 - kSmallHigh, x + 0.5 * wide, y - 6.0},
+                          {x - 0.5 * wide, y + 6.0, x + 0.5 * wide, y + 6.0 + kSmallHigh}};
+    for (const Box& place : places) {
+      if (place.left < kLeft || place.right > kWidth - 2.0 || place.top < 0.0 ||
+          place.bottom > kHeight - kBottom)
+        continue;
+      if (std::ranges::any_of(taken_, [&](const Box& box) { return box.meets(place); })) continue;
+      taken_.push_back(place);
+      return text("<text class='setting' x='%.2f' y='%.2f'>", place.left, place.bottom - 2.0) +
+             escaped(words) + "</text>\n";
+    }
+    return {};
+  }
+
+ private:
+  std::vector<Box> taken_;
+};
 
 }  // namespace
 
@@ -225,6 +286,15 @@ std::string svgOf(const Plot& plot, const std::string& id) {
     svg += text("<path class='bound' d='M%.2f %.2fH%.2f'/>\n", kLeft, y.at(*plot.bound), right);
 
   const auto drawn = [](const PlotPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y); };
+  std::vector<Box> marks;
+  std::size_t named = 0;
+  for (const Series& series : plot.series)
+    for (const PlotPoint& p : series.points) {
+      if (!drawn(p)) continue;
+      marks.push_back({x.at(p.x) - 4.0, y.at(p.y) - 4.0, x.at(p.x) + 4.0, y.at(p.y) + 4.0});
+      named += !p.setting.empty();
+    }
+  Settings settings{std::move(marks)};
   for (std::size_t n = 0; n < plot.series.size(); ++n) {
     const Series& series = plot.series[n];
     const int look = static_cast<int>(n) % kMostSeries;
@@ -234,12 +304,20 @@ std::string svgOf(const Plot& plot, const std::string& id) {
       if (series.joined && p.in_line && drawn(p))
         line += text("%s%.2f %.2f", line.empty() ? "M" : "L", x.at(p.x), y.at(p.y));
     if (!line.empty()) svg += "<path class='line' d='" + line + "'/>\n";
+    std::set<std::pair<long, long>> places;  // of marks, to a unit of the viewBox
     for (const PlotPoint& p : series.points) {
       if (!drawn(p)) continue;
+      const double at_x = x.at(p.x), at_y = y.at(p.y);
       if (std::isfinite(p.low) && std::isfinite(p.high))
-        svg += text("<path class='spread' d='M%.2f %.2fV%.2f'/>", x.at(p.x), y.at(p.low),
-                    y.at(p.high));
-      svg += mark(look, x.at(p.x), y.at(p.y)) + "\n";
+        svg += text("<path class='spread' d='M%.2f %.2fV%.2f'/>", at_x, y.at(p.low), y.at(p.high));
+      if (!places.emplace(std::lround(at_x), std::lround(at_y)).second) continue;
+      if (p.setting.empty()) {
+        svg += mark(look, at_x, at_y) + "\n";
+        continue;
+      }
+      svg += "<g><title>" + escaped(series.name + ", " + p.setting) + "</title>" +
+             mark(look, at_x, at_y) + "</g>\n";
+      if (named <= kMostSettings) svg += settings.beside(at_x, at_y, p.setting);
     }
     svg += "</g>\n";
   }

@@ -22,7 +22,8 @@ struct PlotPoint {
   double x = 0.0, y = 0.0;
   double low = std::numeric_limits<double>::quiet_NaN();
   double high = std::numeric_limits<double>::quiet_NaN();
-  bool in_line = true;  ///< false: a mark beside the line, of what another point outdoes
+  bool in_line = true;       ///< false: a mark beside the line, of what another point outdoes
+  std::string setting = {};  ///< with which it was measured; empty: the same as its series
 };
 
 struct Series {
@@ -34,7 +35,7 @@ struct Series {
 /// A diagram, and in words what there is to see.
 struct Plot {
   std::string title;
-  std::string description;  ///< for who cannot see it: what the axes are and what shows
+  std::string description;  ///< stands below it: what the axes are and what shows
   Axis x, y;
   std::vector<Series> series = {};
   std::optional<double> bound = {};  ///< a level of y that must not be exceeded
@@ -46,8 +47,9 @@ inline constexpr int kMostSeries = 8;
 
 /// The plot as an <svg> element for a page whose style sheet is that of `Page`; `id` is unique in
 /// the page. On a logarithmic axis what is zero or less stands in a lane of its own at the lower
-/// end, marked 0. What is not finite is not drawn. Series beyond kMostSeries repeat the first
-/// marks.
+/// end, marked 0. What is not finite is not drawn, and of marks on one place only the first.
+/// Settings stand beside their marks where there is room, and are the marks' titles. Series beyond
+/// kMostSeries repeat the first marks.
 std::string svgOf(const Plot& plot, const std::string& id);
 
 /// Text that may stand in HTML or an attribute.

@@ -40,6 +40,10 @@ Study planStudy(Depth depth) {
                             return refused;
                           }});
   }
+  study.front = {{{"What is left out changes no pose: {worst} in {count} comparisons.", ": pose"},
+                  {"It changes no force: {worst} in {count} comparisons.", ": force"},
+                  {"It changes no torque: {worst} in {count} comparisons.", ": torque"}},
+                 {"Mean tick by points of the tool"}};
   return study;
 }
 

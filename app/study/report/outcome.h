@@ -54,11 +54,25 @@ struct Job {
 /// How thorough a study is: minutes, or all of it.
 enum class Depth { Quick, Full };
 
+/// A sentence of the first page about the cases whose names end alike: {worst} is the worst of
+/// their values with its unit, {count} how many there are. Left out where there is none.
+struct Claim {
+  std::string words;
+  std::string cases;  ///< the end of the names
+};
+
+/// The first screen of a report: the sentences and the plots, by title, that matter most.
+struct Front {
+  std::vector<Claim> claims;
+  std::vector<std::string> plots;
+};
+
 struct Study {
   std::string name;  ///< as the command line calls it
   std::string title;
   std::vector<std::string> introduction = {};  ///< paragraphs
   std::vector<Job> jobs = {};
+  Front front = {};
 };
 
 }  // namespace study

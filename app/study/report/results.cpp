@@ -9,7 +9,7 @@
 namespace study {
 namespace {
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 
 /// JSON has no numbers that are not finite: null stands for them.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -52,8 +52,8 @@ Json jsonOf(const Plot& plot) {
   for (const Series& series : plot.series) {
     Json points = Json::array();
     for (const PlotPoint& p : series.points)
-      points.push_back(
-          Json::array({number(p.x), number(p.y), number(p.low), number(p.high), p.in_line}));
+      points.push_back(Json::array(
+          {number(p.x), number(p.y), number(p.low), number(p.high), p.in_line, p.setting}));
     json["series"].push_back(
         {{"name", series.name}, {"joined", series.joined}, {"points", points}});
   }
@@ -67,7 +67,7 @@ Plot plotOf(const Json& json) {
     Series series{s.at("name"), {}, s.at("joined")};
     for (const Json& p : s.at("points"))
       series.points.push_back(
-          {number(p.at(0)), number(p.at(1)), number(p.at(2)), number(p.at(3)), p.at(4)});
+          {number(p.at(0)), number(p.at(1)), number(p.at(2)), number(p.at(3)), p.at(4), p.at(5)});
     plot.series.push_back(std::move(series));
   }
   return plot;
@@ -203,7 +203,7 @@ Json jsonOf(const Results& results) {
 }
 
 std::string csvOf(const Results& results) {
-  std::string csv = "kind,section,job,name,series,x,value,low,high,bound,unit,pass\n";
+  std::string csv = "kind,section,job,name,series,setting,x,value,low,high,bound,unit,pass\n";
   const auto row = [&](std::initializer_list<std::string> fields) {
     bool first = true;
     for (const std::string& one : fields) {
@@ -215,13 +215,13 @@ std::string csvOf(const Results& results) {
   };
   for (const Finished& one : results.finished) {
     for (const Case& c : one.outcome.cases)
-      row({"case", field(one.section), field(one.job), field(c.name), "", "", field(c.value), "",
-           "", field(c.bound), field(c.unit), c.pass() ? "yes" : "no"});
+      row({"case", field(one.section), field(one.job), field(c.name), "", "", "", field(c.value),
+           "", "", field(c.bound), field(c.unit), c.pass() ? "yes" : "no"});
     for (const Plot& plot : one.outcome.plots)
       for (const Series& series : plot.series)
         for (const PlotPoint& p : series.points)
           row({"point", field(one.section), field(one.job), field(plot.title), field(series.name),
-               field(p.x), field(p.y), field(p.low), field(p.high),
+               field(p.setting), field(p.x), field(p.y), field(p.low), field(p.high),
                plot.bound ? field(*plot.bound) : "", field(plot.y.label), ""});
   }
   return csv;

@@ -35,6 +35,7 @@ struct Results {
   Identity identity;
   std::string title;
   std::vector<std::string> introduction = {};
+  Front front = {};
   std::vector<std::string> jobs = {};  ///< all of them, by name
   std::vector<Finished> finished = {};
 

@@ -77,13 +77,54 @@ std::string verdictOf(const std::vector<Case>& cases) {
   return std::to_string(held) + " of " + all + " cases hold. These do not:";
 }
 
+/// The text with each `mark` replaced.
+std::string with(std::string text, const std::string& mark, const std::string& by) {
+  for (auto at = text.find(mark); at != std::string::npos; at = text.find(mark, at + by.size()))
+    text.replace(at, mark.size(), by);
+  return text;
+}
+
+std::vector<std::string> sentencesOf(const std::vector<Claim>& claims,
+                                     const std::vector<Case>& cases) {
+  std::vector<std::string> sentences;
+  for (const Claim& claim : claims) {
+    int count = 0;
+    const Case* worst = nullptr;
+    for (const Case& c : cases) {
+      if (!c.name.ends_with(claim.cases)) continue;
+      ++count;
+      const bool at_most = c.sense == Case::Sense::AtMost;
+      const bool is_worse = worst != nullptr && !std::isnan(worst->value) &&
+                            !(at_most ? c.value <= worst->value : c.value >= worst->value);
+      if (worst == nullptr || is_worse) worst = &c;
+    }
+    if (worst == nullptr) continue;
+    const std::string unit = worst->unit.empty() ? "" : " " + worst->unit;
+    sentences.push_back(with(with(claim.words, "{count}", std::to_string(count)), "{worst}",
+                             shortly(worst->value) + unit));
+  }
+  return sentences;
+}
+
+std::vector<Plot> plotsOf(const std::vector<std::string>& titles,
+                          const std::vector<Section>& sections) {
+  std::vector<Plot> plots;
+  for (const std::string& title : titles)
+    for (const Section& section : sections)
+      std::ranges::copy_if(section.plots, std::back_inserter(plots),
+                           [&](const Plot& plot) { return plot.title == title; });
+  return plots;
+}
+
 }  // namespace
 
 std::string htmlOf(const Results& results) {
   Page page{results.title};
-  for (const std::string& paragraph : results.introduction) page.paragraph(paragraph);
   const std::vector<Case> cases = results.cases();
+  const std::vector<Section> sections = sectionsOf(results);
   page.paragraph(verdictOf(cases));
+  page.list(sentencesOf(results.front.claims, cases));
+  page.overview(plotsOf(results.front.plots, sections));
   std::vector<Case> failing;
   std::ranges::copy_if(cases, std::back_inserter(failing), [](const Case& c) { return !c.pass(); });
   if (!failing.empty()) page.table(tableOf(failing));
@@ -95,7 +136,9 @@ std::string htmlOf(const Results& results) {
                    " jobs have not been run, and nothing is said of them: " + names + ".");
   }
 
-  for (const Section& section : sectionsOf(results)) {
+  page.heading("How it was measured");
+  for (const std::string& paragraph : results.introduction) page.paragraph(paragraph);
+  for (const Section& section : sections) {
     page.heading(section.title);
     for (const std::string& remark : section.remarks) page.paragraph(remark);
     for (const Plot& plot : section.plots) page.plot(plot);

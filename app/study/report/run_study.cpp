@@ -82,7 +82,7 @@ Outcome outcomeOf(const Job& job, std::uint64_t seed) {
 
 /// The jobs in the order of the study, each once.
 Results resultsOf(const Study& study, const Identity& identity, std::vector<Finished> found) {
-  Results results{identity, study.title, study.introduction};
+  Results results{identity, study.title, study.introduction, study.front};
   for (const Job& job : study.jobs) {
     results.jobs.push_back(job.name);
     const auto at = std::ranges::find(found, job.name, &Finished::job);

@@ -65,6 +65,22 @@ Study stabilityStudy(Depth depth) {
     study.jobs.insert(study.jobs.end(), jobs.begin(), jobs.end());
   study.jobs.push_back(
       {"omissions", "What is left out", 0.01, [=](std::uint64_t) { return omissions(depth); }});
+  study.front = {
+      {{"In {count} of the paper's and our own failure cases at most {worst} ticks end with a "
+        "point "
+        "inside.",
+        "/ticks inside"},
+       {"In {count} presses the evaluator finds a point inside {worst} times.",
+        "/looks that found it inside"},
+       {"Nothing diverges: {worst} values that are not finite in {count} runs.", "/not finite"},
+       {"A press and its release give the hand at most {worst}, which is less than a touch of a "
+        "fingertip; {count} presses, with each device, stiffness, noise and delay.",
+        "/energy given"},
+       {"The stiffest wall that a device can carry is reached to {worst} of what theory allows, in "
+        "{count} configurations.",
+        "/plain"}},
+      {"A press on a wall: omega.6", "press/omega.6/plane: energy given in a press",
+       "Energy given: bone"}};
   return study;
 }
 

@@ -140,6 +140,61 @@ TEST(Plot, SaysWhatItIsToWhoCannotSeeIt) {
             std::string::npos);
 }
 
+TEST(Plot, UsesItsWholeWidth) {
+  Plot plot{"t", "d", {"x", Scale::Log}, {"y", Scale::Log}};
+  plot.series.push_back({"s", {{21.0, 0.3}, {48.0, 0.4}}, false});
+  const std::string svg = svgOf(plot, "p");
+  const auto at = numbersOf(svg, "<circle cx='([0-9.]+)' cy='([0-9.]+)'");
+  ASSERT_EQ(at.size(), 3u);
+  EXPECT_GT(at[1][0] - at[0][0], 0.8 * (640.0 - 76.0 - 22.0));
+  EXPECT_GT(at[0][1] - at[1][1], 0.6 * (300.0 - 12.0 - 46.0));
+  for (const char* label : {">20<", ">50<", ">0.3<", ">0.4<"})
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  // a single value has an axis as well
+  plot.series[0].points.pop_back();
+  EXPECT_NE(svgOf(plot, "p").find(">20<"), std::string::npos);
+}
+
+TEST(Plot, NamesSettingsWhereThereIsRoomAndEveryMarkOnce) {
+  Plot plot = decades();
+  plot.series[0].points[0].setting = "50 us";
+  plot.series[0].points[1].setting = "200 us";
+  const std::string svg = svgOf(plot, "p");
+  EXPECT_NE(svg.find("<title>ours, 50 us</title>"), std::string::npos);
+  EXPECT_NE(svg.find(">50 us</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">200 us</text>"), std::string::npos);
+  // no place on the whole plot: all of it is marks
+  for (int x = 0; x < 200; ++x)
+    for (int y = 0; y < 100; ++y)
+      plot.series[0].points.push_back(
+          {std::pow(10.0, 1.0 + 0.01 * x), std::pow(10.0, -3.0 + 0.02 * y), NAN, NAN, false});
+  const auto full = svgOf(plot, "p");
+  EXPECT_EQ(full.find(">200 us</text>"), std::string::npos);
+  EXPECT_NE(full.find("<title>ours, 200 us</title>"), std::string::npos);
+  const auto marks = numbersOf(full, "<circle cx='([0-9.]+)'").size();
+  for (int again = 0; again < 3; ++again)
+    plot.series[0].points.insert(plot.series[0].points.end(), plot.series[0].points.end() - 1000,
+                                 plot.series[0].points.end());
+  EXPECT_EQ(numbersOf(svgOf(plot, "p"), "<circle cx='([0-9.]+)'").size(), marks);
+}
+
+TEST(Page, DrawsNothingOfZerosAndShortensWhatIsLong) {
+  Page page{"t"};
+  Plot plot{"Penetration", "d", {"x"}, {"depth [mm]"}};
+  plot.series.push_back({"s", {{1.0, 0.0}, {2.0, 0.0, 0.0, 0.0}}});
+  page.plot(plot);
+  EXPECT_EQ(page.html().find("<svg"), std::string::npos);
+  EXPECT_NE(page.html().find("Penetration: depth [mm] is 0 at each of 2 points"),
+            std::string::npos);
+  plot.series[0].points[1].high = 0.1;
+  page.plot(plot);
+  EXPECT_NE(page.html().find("<svg"), std::string::npos);
+  Page other{"t"};
+  other.table({"long", {"n"}, std::vector<std::vector<std::string>>(1000, {"row"})});
+  EXPECT_NE(other.html().find("first 400 of 1000 rows"), std::string::npos);
+  EXPECT_EQ(unbalanced(other.html().substr(other.html().find("<html"))), "");
+}
+
 TEST(Shortly, WritesFourDigitsAndMarksThousands) {
   EXPECT_EQ(shortly(0.012345), "0.01235");
   EXPECT_EQ(shortly(0.0), "0");
@@ -171,9 +226,9 @@ TEST(Page, IsOneWellFormedFileThatAsksForNothingElse) {
   // both plots, each with its own name, and the figures behind them
   EXPECT_NE(html.find("id='plot-1-title'"), std::string::npos);
   EXPECT_NE(html.find("id='plot-2-title'"), std::string::npos);
-  EXPECT_NE(html.find("<td>ours</td><td>100</td><td>0.01</td><td>0.001</td><td>0.1</td>"),
+  EXPECT_NE(html.find("<td>ours</td><td></td><td>100</td><td>0.01</td><td>0.001</td><td>0.1</td>"),
             std::string::npos);
-  EXPECT_NE(html.find("<td>bound</td><td></td><td>0.05</td>"), std::string::npos);
+  EXPECT_NE(html.find("<td>bound</td><td></td><td></td><td>0.05</td>"), std::string::npos);
   // dark mode and paper
   EXPECT_NE(html.find("prefers-color-scheme: dark"), std::string::npos);
   EXPECT_NE(html.find("@media print"), std::string::npos);

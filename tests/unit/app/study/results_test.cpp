@@ -37,20 +37,21 @@ struct Folder {
 Study study3(std::vector<int>& runs) {
   Study study{"plan", "Three jobs", {"Nothing <real>."}};
   for (int n = 0; n < 3; ++n)
-    study.jobs.push_back({"job/" + std::to_string(n), n < 2 ? "First" : "Last", 1.0 + n,
-                          [&runs, n](std::uint64_t seed) {
-                            ++runs[static_cast<std::size_t>(n)];
-                            Outcome outcome;
-                            outcome.cases.push_back({"case, \"" + std::to_string(n) + "\"",
-                                                     double(n), 1.0, "mm", Case::Sense::AtMost,
-                                                     "seed " + std::to_string(seed)});
-                            study::Plot plot{"Shared", "Joined over jobs.", {"x"}, {"y"}};
-                            plot.series.push_back({"s", {{3.0 - n, 1.0, NAN, 2.0, n != 1}}});
-                            outcome.plots.push_back(plot);
-                            outcome.tables.push_back({"Rows", {"n"}, {{std::to_string(n)}}});
-                            outcome.remarks.push_back("Said once.");
-                            return outcome;
-                          }});
+    study.jobs.push_back(
+        {"job/" + std::to_string(n), n < 2 ? "First" : "Last", 1.0 + n,
+         [&runs, n](std::uint64_t seed) {
+           ++runs[static_cast<std::size_t>(n)];
+           Outcome outcome;
+           outcome.cases.push_back({"case, \"" + std::to_string(n) + "\"", double(n), 1.0, "mm",
+                                    Case::Sense::AtMost, "seed " + std::to_string(seed)});
+           study::Plot plot{"Shared", "Joined over jobs.", {"x"}, {"y"}};
+           plot.series.push_back({"s", {{3.0 - n, 1.0, NAN, 2.0, n != 1, "2, 3"}}});
+           outcome.plots.push_back(plot);
+           outcome.tables.push_back({"Rows", {"n"}, {{std::to_string(n)}}});
+           outcome.remarks.push_back("Said once.");
+           return outcome;
+         }});
+  study.front = {{{"At most {worst} in {count}.", "\""}, {"Said of none.", "no case"}}, {"Shared"}};
   return study;
 }
 
@@ -97,15 +98,18 @@ TEST(RunStudy, WritesWhatItFoundAndRunsNothingTwice) {
   EXPECT_EQ(textOf(folder.path / "report.html"), html);
 
   // the page: one plot of one title and section, its points in order; what fails stands in front
-  EXPECT_EQ(countOf(html, "<figcaption>Shared</figcaption>"), 2);
+  EXPECT_EQ(countOf(html, "<figcaption>Shared</figcaption>"), 4);  // the first page has them, too
+  EXPECT_NE(html.find("<li>At most 2 mm in 3.</li>"), std::string::npos);
+  EXPECT_EQ(html.find("Said of none"), std::string::npos);
   EXPECT_NE(html.find("2 of 3 cases hold"), std::string::npos);
   EXPECT_EQ(countOf(html, ">case, &quot;2&quot;<"), 2);  // among the failing, and in its section
   EXPECT_EQ(countOf(html, ">case, &quot;0&quot;<"), 1);
   EXPECT_EQ(countOf(html, "Said once."), 2);
   EXPECT_EQ(html.find("Nothing <real>"), std::string::npos);
   // commas and quotes of names are no fields of their own
-  EXPECT_NE(csv.find("case,First,job/0,\"case, \"\"0\"\"\",,,0,,,1,mm,yes\n"), std::string::npos);
+  EXPECT_NE(csv.find("case,First,job/0,\"case, \"\"0\"\"\",,,,0,,,1,mm,yes\n"), std::string::npos);
   EXPECT_EQ(countOf(csv, "\n"), 1 + 3 + 3);
+  EXPECT_EQ(countOf(csv, "Shared,s,\"2, 3\","), 3);
 }
 
 TEST(RunStudy, AJobThatThrowsFailsAndTheOthersGoOn) {
