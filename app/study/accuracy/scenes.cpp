@@ -204,8 +204,9 @@ Outcome pointStudy(bool flat, const std::vector<int>& points, const std::vector<
     for (Plot* plot : {&lag, &time})
       if (std::ranges::find(plot->series, name, &Series::name) == plot->series.end())
         plot->series.push_back({name, {}});
+    // what rounding makes of no lag is none
     std::ranges::find(lag.series, name, &Series::name)
-        ->points.push_back({double(row.points), row.lag_mm});
+        ->points.push_back({double(row.points), row.lag_mm < 1e-9 ? 0.0 : row.lag_mm});
     std::ranges::find(time.series, name, &Series::name)
         ->points.push_back({double(row.points), row.mean_us, row.mean_us, row.p99_us});
     if (counted)

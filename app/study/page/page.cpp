@@ -2,7 +2,6 @@
 #include "app/study/page/page.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 
 namespace study {
@@ -42,7 +41,7 @@ svg path { fill: none; } .axes path { stroke: var(--rule); } .axes .lane { strok
 .bound { stroke: var(--bad); stroke-width: 1.6; stroke-dasharray: 8 3; }
 div.overview { display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 1rem;
   width: min(94vw, 96rem); margin-left: calc(50% - min(47vw, 48rem)); }
-div.overview figure { margin: 0; }
+div.overview figure { margin: 0; max-width: 40rem; }
 .setting { font-size: 9px; fill: var(--quiet); } .see { color: var(--quiet); margin: .2rem 0; }
 .line { stroke-width: 1.6; } .spread { stroke-width: 1; opacity: .6; }
 )";
@@ -117,15 +116,11 @@ void Page::links(const std::vector<Link>& links) {
 
 void Page::plot(const Plot& plot) {
   Table figures{{}, {"series", "setting", plot.x.label, plot.y.label, "from", "to"}, {}};
-  bool all_zero = true;
   for (const Series& series : plot.series)
-    for (const PlotPoint& p : series.points) {
-      const auto isZero = [](double value) { return value == 0.0 || std::isnan(value); };
-      all_zero = all_zero && p.y == 0.0 && isZero(p.low) && isZero(p.high);
+    for (const PlotPoint& p : series.points)
       figures.rows.push_back(
           {series.name, p.setting, shortly(p.x), shortly(p.y), shortly(p.low), shortly(p.high)});
-    }
-  if (all_zero && !figures.rows.empty()) {
+  if (isZero(plot)) {
     paragraph(plot.title + ": " + plot.y.label + " is 0 at each of " +
               std::to_string(figures.rows.size()) + " points, so there is nothing to draw.");
     return;

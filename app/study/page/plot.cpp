@@ -237,6 +237,17 @@ std::string shortly(double value) {
   return out;
 }
 
+bool isZero(const Plot& plot) {
+  bool any = false;
+  for (const Series& series : plot.series)
+    for (const PlotPoint& p : series.points) {
+      any = true;
+      const auto zero = [](double value) { return value == 0.0 || std::isnan(value); };
+      if (p.y != 0.0 || !zero(p.low) || !zero(p.high)) return false;
+    }
+  return any;
+}
+
 std::string svgOf(const Plot& plot, const std::string& id) {
   std::vector<double> xs, ys;
   for (const Series& series : plot.series)

@@ -42,6 +42,9 @@ struct Plot {
   std::string bound_name = "bound";
 };
 
+/// Whether every value, with what it varied between, is exactly zero; false without values.
+bool isZero(const Plot& plot);
+
 /// How many series of one plot can be told apart: by colour, mark and dashes, each alone enough.
 inline constexpr int kMostSeries = 8;
 

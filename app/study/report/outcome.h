@@ -61,7 +61,8 @@ struct Claim {
   std::string cases;  ///< the end of the names
 };
 
-/// The first screen of a report: the sentences and the plots, by title, that matter most.
+/// The first screen of a report: the sentences and the plots that matter most. Of the plots, by
+/// title, the first three that there are.
 struct Front {
   std::vector<Claim> claims;
   std::vector<std::string> plots;

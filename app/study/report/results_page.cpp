@@ -112,7 +112,8 @@ std::vector<Plot> plotsOf(const std::vector<std::string>& titles,
   for (const std::string& title : titles)
     for (const Section& section : sections)
       std::ranges::copy_if(section.plots, std::back_inserter(plots),
-                           [&](const Plot& plot) { return plot.title == title; });
+                           [&](const Plot& plot) { return plot.title == title && !isZero(plot); });
+  if (plots.size() > 3) plots.resize(3);
   return plots;
 }
 
