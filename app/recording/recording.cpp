@@ -266,4 +266,9 @@ bool liesLike(const haptics::Volume& one, const haptics::Volume& other) {
          one.grid.direction == other.grid.direction;
 }
 
+bool isOf(const RecordedScene& scene, const haptics::Volume& scan,
+          const std::optional<VolumeHash>& hash) {
+  return liesLike(scene.volume, scan) && compared(scene.hash, hash) != SameVolume::Another;
+}
+
 }  // namespace app

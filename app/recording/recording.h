@@ -64,7 +64,7 @@ class Recording {
   /// Calls `each` with every step from `from` to `to` [s], both included, in order, until `each`
   /// returns false.
   haptics::Expected<void> forEach(double from, double to,
-                         const std::function<bool(const RecordedStep&)>& each);
+                                  const std::function<bool(const RecordedStep&)>& each);
 
  private:
   struct Entry {
@@ -98,9 +98,13 @@ struct RecordingSummary {
 
 /// Does not read the steps. Refuses like Recording::open.
 haptics::Expected<RecordingSummary> summaryOf(const std::filesystem::path& path,
-                                     const std::atomic<bool>* cancel = nullptr);
+                                              const std::atomic<bool>* cancel = nullptr);
 
 /// Whether two volumes have the same number, type and positions of voxels.
 bool liesLike(const haptics::Volume& one, const haptics::Volume& other);
+/// Whether a scene was of this scan, as far as is known: it lies like it, and no hash says that it
+/// is another.
+bool isOf(const RecordedScene& scene, const haptics::Volume& scan,
+          const std::optional<VolumeHash>& hash);
 
 }  // namespace app

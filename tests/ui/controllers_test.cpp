@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -23,6 +24,7 @@
 
 #include "app/window/scan/kept_phantom.h"
 #include "app/window/touch/measurement_controller.h"
+#include "app/window/views/picture_controller.h"
 #include "datasets/phantoms/phantoms.h"
 #include "tests/ui/panelled_window.h"
 #include "tests/ui/window_support.h"
@@ -293,6 +295,35 @@ TEST(Controllers, TheCardOfTheForceHasRoomForEveryReasonAndKeepsItsSize) {
     }));
     EXPECT_EQ(card->geometry(), place);
   }
+}
+
+TEST(Controllers, TheCardSaysPlainlyWhatIsTouched) {
+  ui::ForcePanel card;
+  haptics::Snapshot snapshot;
+  snapshot.contacts = 1;
+  const auto says = [&](double value, const char* unit) {
+    card.display(snapshot, ui::TouchedValue{value, unit});
+    QStringList words;
+    for (const auto* label : card.findChildren<QLabel*>()) words << label->text();
+    return words.filter(QRegularExpression("^Touching")).value(0);
+  };
+  EXPECT_EQ(says(1988.4, ""), "Touching 1,990");
+  EXPECT_EQ(says(0.012345, ""), "Touching 0.0123");
+  EXPECT_EQ(says(-7.0, ""), "Touching -7.00");
+  EXPECT_EQ(says(0.0, ""), "Touching 0");
+  EXPECT_EQ(says(483.0, "HU"), "Touching bone, 480 HU");
+}
+
+TEST(Controllers, AFaceThatTheGridCutsOffIsWhatLiesThere) {
+  // as much as anywhere, to the grid's edge
+  const auto volume = window::volumeOf(window::cubeGrid(16), haptics::ScalarType::Int16,
+                                       window::ball({0.0, 0.0, 0.008}, 0.006));
+  const haptics::ScalarField field{volume};
+  haptics::Vec3 u{8.0, 8.0, 15.0};
+  const double inside = field.value(u);
+  u.z() = 15.3;  // between the outermost voxels and the background
+  EXPECT_LT(field.value(u), 0.9 * inside);
+  EXPECT_EQ(app::valueBehind(field, volume->grid.worldOf(u)), inside);
 }
 
 TEST(Controllers, TheCardLeavesTheToolInSightAndFoldsToALine) {

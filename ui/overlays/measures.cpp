@@ -72,20 +72,20 @@ double shareInside(const QPolygonF& line, const QRectF& box) {
 constexpr double kOverBody = 3e3;  // how bad that is for a label
 
 /// Where a label of this size goes, and how bad that is: near its anchor, within the view, on no
-/// handle, clear of other labels and of the body as far as there is room.
+/// handle, clear of other labels and of the body as far as there is room. Without a search only
+/// places beside the anchor and in the corners are tried.
 std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygonF& line,
                                      const QPolygonF& handles, const ViewGeometry& view,
-                                     const QRectF& seen, const std::vector<QRectF>& taken) {
+                                     const QRectF& seen, const std::vector<QRectF>& taken,
+                                     bool search) {
   constexpr double kStep = 6.0;  // px
-  constexpr std::size_t kMostPlaced = 30;
   const double w = size.width(), h = size.height();
   std::vector<QPointF> corners{anchor + QPointF{kLabelGap, -kLabelGap - h},
                                anchor + QPointF{kLabelGap, kLabelGap},
                                anchor + QPointF{-kLabelGap - w, -kLabelGap - h},
                                anchor + QPointF{-kLabelGap - w, kLabelGap}};
   const QRectF room = seen.adjusted(2.0, 2.0, -2.0 - w, -2.0 - h);
-  // of many, each stands where it falls
-  const double last = taken.size() < kMostPlaced ? room.bottom() : -INFINITY;
+  const double last = search ? room.bottom() : -INFINITY;
   for (double y = room.top(); y <= last; y += kStep)
     for (double x = room.left(); x <= room.right(); x += kStep) corners.emplace_back(x, y);
   for (const double y : {room.top(), room.bottom()})
@@ -358,15 +358,18 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
   if (travel_) handles << view.projected(travel_->from_mm);
   std::vector<MeasureLabel> labels;
   std::vector<QRectF> taken;
+  constexpr int kMostSearched = 30;  // each takes up to a millisecond
+  int searched = 0;
   // in more lines where it is then nearer by far, or over nothing
   const auto add = [&](const QStringList& texts, QPointF anchor, const QPolygonF& line,
                        bool chosen) {
     constexpr double kLineBreak = 100.0;  // as far as it is from the anchor, pixels
     MeasureLabel label;
     double least = std::numeric_limits<double>::infinity();
+    ++searched;
     for (qsizetype n = 0; n < texts.size(); ++n) {
-      const auto [box, cost] =
-          labelPlace(labelSize(font, texts[n]), anchor, line, handles, view, seen, taken);
+      const auto [box, cost] = labelPlace(labelSize(font, texts[n]), anchor, line, handles, view,
+                                          seen, taken, searched < kMostSearched || chosen);
       if (cost + kLineBreak * static_cast<double>(n) >= least) continue;
       least = cost + kLineBreak * static_cast<double>(n);
       label = {texts[n], box, anchor};

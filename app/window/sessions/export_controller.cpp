@@ -63,7 +63,8 @@ void ExportController::exportRecording(const QString& id) {
       [path](const background::Watch& watch) -> haptics::Expected<Exported> {
         const auto recording = Recording::open(path, &watch.cancel);
         if (!recording) return tl::unexpected(recording.error());
-        return Exported{path, recording->begin(), recording->end(), leastIsovalue(*recording)};
+        return Exported{path, recording->begin(), recording->end(), leastIsovalue(*recording),
+                        recording->scenes()};
       },
       [this](const haptics::Expected<Exported>& recording) {
         loading_.end();
@@ -84,6 +85,17 @@ void ExportController::askAndExport(const Exported& recording) {
     if (request.volume) request.hash = shared_.identity.of(request.volume);
     if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
       request.camera = cameraOf(views_.volume());
+    const bool of_view =
+        request.volume && std::ranges::any_of(recording.scenes, [&](const RecordedScene& scene) {
+          return isOf(scene, *request.volume, request.hash);
+        });
+    if (!of_view &&
+        !messages_.askWhether(
+            tr("This film will show the tool alone."),
+            tr("The recording is of another scan than the one on view. Open its scan first, and "
+               "the film shows its surface, too."),
+            tr("Make the film")))
+      return;
     request.look = lookOfView();
     const double least =
         std::min(recording.least_isovalue, request.look.second.value_or(recording.least_isovalue));

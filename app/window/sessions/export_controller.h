@@ -33,6 +33,7 @@ class ExportController : public QObject {
     std::filesystem::path path;
     double begin = 0.0, end = 0.0;  ///< s
     double least_isovalue = 0.0;
+    std::vector<RecordedScene> scenes = {};
   };
   void askAndExport(const Exported& recording);
   /// The colours, the second surface and the marks of the 3-D view.

@@ -32,8 +32,7 @@ haptics::Expected<QString> film(Recording& recording, const ExportRequest& reque
   options.look = request.look;
   options.goes_on = std::move(goes_on);
   const auto isOnView = [&](const RecordedScene& scene) {
-    return request.volume && liesLike(scene.volume, *request.volume) &&
-           compared(scene.hash, request.hash) != SameVolume::Another;
+    return request.volume && isOf(scene, *request.volume, request.hash);
   };
   // marks of another scan would stand at wrong places
   if (std::ranges::none_of(recording.scenes(), isOnView)) options.look.marks.clear();

@@ -10,6 +10,18 @@
 #include "ui/views/volume_view.h"
 
 namespace app {
+
+double valueBehind(const haptics::ScalarField& field, haptics::Vec3 p_W) {
+  const haptics::Vec3 rise_W = field.sample(field.indexOf(p_W)).gradient_W;
+  if (rise_W.norm() > 0.0) p_W += 0.5 * field.voxel() * rise_W.normalized();
+  haptics::Vec3 u = field.indexOf(p_W);
+  const haptics::VoxelBox& box = field.bounds();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    u(Eigen::Index(axis)) =
+        std::clamp(u(Eigen::Index(axis)), double(box.first[axis]), double(box.end[axis] - 1));
+  return field.value(u);
+}
+
 namespace {
 
 constexpr int kDisplayMs = 16;  // 60 Hz
@@ -65,11 +77,8 @@ std::optional<ui::TouchedValue> PictureController::touchedIn(
   const auto places = std::span{snapshot.places}.first(
       std::min<std::size_t>(static_cast<std::size_t>(snapshot.contacts), snapshot.places.size()));
   const auto hardest = std::ranges::max_element(places, {}, &haptics::ContactPlace::push);
-  const haptics::ScalarField& field = shared_.shown->scene->field;
-  haptics::Vec3 p_W = Eigen::Map<const Eigen::Vector3f>(hardest->p_W.data()).cast<double>();
-  const haptics::Vec3 rise_W = field.sample(field.indexOf(p_W)).gradient_W;
-  if (rise_W.norm() > 0.0) p_W += 0.5 * field.voxel() * rise_W.normalized();
-  return ui::TouchedValue{field.value(field.indexOf(p_W)),
+  const haptics::Vec3 p_W = Eigen::Map<const Eigen::Vector3f>(hardest->p_W.data()).cast<double>();
+  return ui::TouchedValue{valueBehind(shared_.shown->scene->field, p_W),
                           QString::fromStdString(shared_.shown->volume()->unit)};
 }
 

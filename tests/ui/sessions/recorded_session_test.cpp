@@ -200,6 +200,11 @@ TEST(RecordedSession, AFilmOfAScanWarnsOfAFaceWhateverToolAndField) {
     EXPECT_TRUE(askedBeforeAFilm(application).contains("face"));
     EXPECT_EQ(application.window().windowTitle(), title);
   }
+  // with another volume on view there is no surface of the recording's to show
+  QSignalSpy adopted(&application, &app::Application::adopted);
+  emit application.window().menus().phantomWanted("torus");
+  ASSERT_TRUE(adopted.wait(60'000));
+  EXPECT_EQ(askedBeforeAFilm(application), "This film will show the tool alone.");
 }
 
 TEST(RecordedSession, IsGoneThroughInTheWindow) {
