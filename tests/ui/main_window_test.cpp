@@ -398,6 +398,18 @@ TEST(MainWindow, TheStateOfTheForceHasTheDeviceAndItsRateBesideIt) {
   window.touch().display(snapshot);
   EXPECT_EQ(chip.text(), "Force on");
   EXPECT_EQ(chip.detail(), "omega.6 · 1 kHz");
+  // another hand, whose loop is slower, and then does not run
+  window.touch().setHand("Falcon", ui::Feel::Felt);
+  const auto says = [&](const char* detail) {
+    return window::waitFor([&] {
+      window.touch().display(snapshot);
+      return chip.detail() == detail;
+    });
+  };
+  snapshot.servo_rate = 612.0;
+  EXPECT_TRUE(says("Falcon · 0.6 kHz"));
+  snapshot.policy = haptics::SchedulingPolicy::NotStarted;
+  EXPECT_TRUE(says("Falcon")) << chip.detail().toStdString();
   window::showAndWait(window, {1280, 800});
   EXPECT_GE(chip.width(), chip.sizeHint().width());
   window::keep(window::pictureOf(window), "force_chip");

@@ -205,9 +205,12 @@ TEST(Journal, AnotherScanGivesUpTheEditsAndADiscardIsAskedAbout) {
   const User user;
   {
     const auto application = user.start();
+    const auto sphere = application->shown()->volume()->grid.dims;
     application->marks().measures().replace(twoMarks());
     application->editing().restore({datasets::Crop{{{0, 0, 10}, {64, 64, 60}}}});
-    user.kept([](const app::ViewFile& view) { return view.edits.size() == 1; });
+    emit application->window().views().isovalueWanted(60.0);
+    user.kept(
+        [](const app::ViewFile& view) { return view.edits.size() == 1 && view.isovalue == 60.0; });
     const QString before = application->window().windowTitle();
     {
       const Choice choice("Discard");
@@ -216,11 +219,25 @@ TEST(Journal, AnotherScanGivesUpTheEditsAndADiscardIsAskedAbout) {
     }
     const auto view = user.kept([](const app::ViewFile& kept) { return kept.edits.empty(); });
     EXPECT_EQ(view.marks.size(), 2U);
+    EXPECT_EQ(view.isovalue, 60.0);  // not that of the other scan
+    EXPECT_EQ(view.grid.dims, sphere);
     QTest::qWait(1'200);
     EXPECT_EQ(user.works().size(), 1U);  // with the other scan nothing was done
     application->end();
   }
   const auto application = user.start();
+  ASSERT_TRUE(offers(*application));
+  // of another scan nothing is offered, and of this one again when it comes back
+  const auto showAnother = [&](const char* phantom) {
+    const auto scene = application->shown()->scene->id;
+    emit application->window().menus().phantomWanted(phantom);
+    EXPECT_TRUE(waitFor([&] { return application->shown()->scene->id != scene; }));
+  };
+  showAnother("torus");
+  EXPECT_TRUE(waitFor([&] { return !offer(*application).isVisible(); }));
+  QTest::qWait(600);
+  EXPECT_FALSE(offer(*application).isVisible());
+  showAnother("sphere");
   ASSERT_TRUE(offers(*application));
   auto* drop = application->window().findChild<QPushButton*>("dropWork");
   {

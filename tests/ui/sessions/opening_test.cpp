@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
@@ -532,6 +533,35 @@ TEST_F(Opening, PlacesAreOfferedAgainUntilTheyAreForgotten) {
   QSignalSpy adopted(application_.get(), &app::Application::adopted);
   ASSERT_TRUE(adopted.wait(60'000));
   EXPECT_TRUE(places().isEmpty());
+}
+
+TEST_F(Opening, TheNextScanIsLookedForWhereTheLastOneLay) {
+  const Disk disk;
+  const auto begins = [this] {
+    QString folder;
+    QTimer::singleShot(0, [&] {
+      if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+        folder = dialog->directory().absolutePath();
+        dialog->reject();
+      }
+    });
+    action("openFile")->trigger();
+    return folder;
+  };
+  started();
+  for (const QString& name : {"one", "other"}) {
+    const QString folder = disk.own() + '/' + name;
+    QDir(disk.own()).mkpath(name);
+    const QString scan = folder + '/' + name + ".nrrd";
+    std::filesystem::copy(anyScans() / "nrrd_oddities/derived_from_tooth/raw_le.nrrd",
+                          scan.toStdString());
+    drop({scan.toStdString()});
+    ASSERT_TRUE(loadedBegins(name + ".nrrd"));
+    EXPECT_EQ(begins(), QDir(folder).absolutePath());
+  }
+  // and at the next start, where nothing of it is open
+  started();
+  EXPECT_EQ(begins(), QDir(disk.own() + "/other").absolutePath());
 }
 
 TEST_F(Opening, TheNewestEightPlacesAreKept) {

@@ -12,8 +12,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -35,6 +37,7 @@
 #include "app/window/sessions/recordings.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
+#include "app/window/views/marks_controller.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/session.h"
@@ -607,6 +610,99 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
     EXPECT_EQ(fs::file_size(file), 4U) << there;
     EXPECT_FALSE(application.exporting().task().isRunning()) << there;
   }
+}
+
+/// The first recording as a film, as its dialogs make it.
+void filmFirst(app::Application& application, const fs::path& film) {
+  ui::RecordingPanel& panel = *application.window().findChild<ui::RecordingPanel*>();
+  auto* list = child<QTableWidget>(panel, "recordings");
+  EXPECT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
+  list->selectRow(0);
+  bool ended = false;
+  const QObject listener;
+  QObject::connect(&application.exporting().task(), &app::ExportTask::finished, &listener,
+                   [&](bool done, const QString& words) {
+                     EXPECT_TRUE(done) << words.toStdString();
+                     ended = true;
+                   });
+  QTimer answers;
+  QObject::connect(&answers, &QTimer::timeout, [&] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (auto* wish = qobject_cast<ui::ExportDialog*>(dialog)) {
+      auto* formats = child<QComboBox>(*wish, "exportFormat");
+      formats->setCurrentIndex(formats->count() - 1);
+      child<QPushButton>(*wish, "exportAgree")->click();
+    } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
+      answers.stop();
+      where->findChild<QLineEdit*>("fileNameEdit")->setText(QString::fromStdString(film.string()));
+      QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
+    }
+  });
+  answers.start(30);
+  QTest::mouseClick(child<QPushButton>(panel, "exportRecording"), Qt::LeftButton);
+  EXPECT_TRUE(waitFor([&] { return ended; }));
+}
+
+/// The first frame of a film.
+QImage firstFrame(const fs::path& film) {
+  constexpr int kWide = 640, kHigh = 480;
+  QProcess reader;
+  reader.start("ffmpeg", {"-v", "error", "-i", QString::fromStdString(film.string()), "-frames:v",
+                          "1", "-vf", "scale=640:480", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"});
+  EXPECT_TRUE(reader.waitForFinished(60'000));
+  const QByteArray bytes = reader.readAllStandardOutput();
+  if (bytes.size() != 3 * kWide * kHigh) return {};
+  return QImage(reinterpret_cast<const uchar*>(bytes.constData()), kWide, kHigh, 3 * kWide,
+                QImage::Format_RGB888)
+      .copy();
+}
+
+TEST(RecordedSession, AFilmHasMarksAndSecondSurfaceOfTheViewOnTheirOwnScanAlone) {
+  if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) GTEST_SKIP() << "ffmpeg is not there";
+  const QTemporaryDir folder, films;
+  const auto path = [&](const char* name) { return fs::path(films.path().toStdString()) / name; };
+  app::Application application(recordedSphere(folder));
+  application.start();
+  recordSome(application, folder, 100);
+  if (HasFatalFailure()) return;
+  const auto markColoured = [](QColor c) {
+    return c.red() > c.green() + 40 && c.blue() > c.green() + 40 && c.red() > 120;
+  };
+  const auto brightness = [](const QImage& image) {
+    qint64 sum = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) sum += qGray(image.pixel(x, y));
+    return double(sum) / (image.width() * image.height());
+  };
+  filmFirst(application, path("bare.mp4"));
+  const QImage bare = firstFrame(path("bare.mp4"));
+  ASSERT_FALSE(bare.isNull());
+  EXPECT_EQ(window::count(bare, markColoured), 0);
+  ui::VolumeView& view = application.window().views().volume();
+  const haptics::Volume& volume = *application.shown()->picture.volume;
+  // a larger ball about the first
+  view.setSecondSurface(0.8 * application.shown()->isovalue + 0.2 * volume.least);
+  view.setSecondOpacity(1.0);
+  const std::vector<ui::Measure> marks{
+      {ui::MeasureKind::Distance, "across", {{-25, -25, 0}, {25, -25, 20}}}};
+  application.marks().measures().replace(marks);
+  filmFirst(application, path("marked.mp4"));
+  const QImage marked = firstFrame(path("marked.mp4"));
+  ASSERT_FALSE(marked.isNull());
+  window::keep(marked, "film_marked");
+  EXPECT_GT(window::count(marked, markColoured), 20);
+  EXPECT_GT(std::abs(brightness(marked) - brightness(bare)), 1.0);
+  // beside another scan they would stand at wrong places
+  QSignalSpy adopted(&application, &app::Application::adopted);
+  {
+    const Pressed pressed("Discard");
+    emit application.window().menus().phantomWanted("torus");
+    ASSERT_TRUE(adopted.wait(60'000));
+  }
+  application.marks().measures().replace(marks);
+  filmFirst(application, path("another.mp4"));
+  EXPECT_EQ(window::count(firstFrame(path("another.mp4")), markColoured), 0);
+  application.marks().measures().clear();
 }
 
 TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {

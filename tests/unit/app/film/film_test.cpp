@@ -367,6 +367,9 @@ TEST_F(Film, ShowsTheMarksAndTheSecondSurfaceOfTheView) {
   EXPECT_NEAR(seen[0], 0.5 * (a[0] + b[0]), 3.0);
   EXPECT_NEAR(seen[1], 0.5 * (a[1] + b[1]), 2.0);
   EXPECT_GT(brightness(film, beside), brightness(bare, beside) + 60);
+  chosen.look.second_opacity = 0.9;
+  const Decoded opaque = made();
+  EXPECT_GT(brightness(opaque, beside), brightness(film, beside) + 60);
 }
 
 TEST_F(Film, ShowsTheCurveOfTheForceAndLosesNoPeak) {
