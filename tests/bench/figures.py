@@ -59,7 +59,7 @@ class Programs:
         return json.loads((out / "results.json").read_text())
 
 
-def taken(results, fields, scenes=None, methods=("literal", "accept-inside", "ours")):
+def taken(results, fields, scenes=None, methods=("literal", "accept-inside", "penalty", "god object", "ours")):
     """Of each scene and method the fields, in the order of the program."""
     return [{field: one.get(field) for field in ("scene", "method", *fields)} for one in results
             if one["method"] in methods and (scenes is None or one["scene"] in scenes)]

@@ -36,22 +36,29 @@ Led led(Contenders field, const std::vector<comparison::Course>& courses, int ru
 WorkPrecision couplingOf(const Led& led, const std::string& title,
                          const std::vector<comparison::Summary>& summaries,
                          const std::vector<comparison::Course>& courses,
-                         const haptics::PointShell& shell) {
-  WorkPrecision coupling{title,
-                         "Distance of proxy and device in the mass metric in ticks of contact, "
-                         "jerk left out, against time. A frozen proxy is cheap and far.",
-                         "mean CPU of a tick [us]", "coupling distance [mm]"};
+                         const haptics::PointShell& shell, const comparison::Judge& judge) {
+  std::vector<std::vector<bool>> inside;
+  for (const comparison::Course& course : courses) {
+    inside.emplace_back();
+    for (const haptics::Pose& X_WD : course.device)
+      inside.back().push_back(!course.jerk && !judge.legal(X_WD));
+  }
+  WorkPrecision coupling{
+      title,
+      "Distance of proxy and device in the mass metric in the ticks in which the "
+      "device itself is inside, the same for all methods, jerk left out, "
+      "against time. A frozen proxy is cheap and far; one that is inside is "
+      "near and wrong.",
+      "mean CPU of a tick [us]", "coupling distance [mm]"};
   for (std::size_t m = 0; m < led.tracks.size(); ++m) {
     const Contenders::Name& who = led.field.names[m];
     WorkPoint point{who.method, who.setting,         led.tick_us[m],
                     {},         summaries[m].counts, led.run_us[m]};
     for (std::size_t c = 0; c < courses.size(); ++c)
-      for (std::size_t n = 0; n < courses[c].device.size(); ++n) {
-        const comparison::Tick& tick = led.tracks[m].ticks[c][n];
-        if (courses[c].jerk) break;
-        if (const auto apart = comparison::coupledBy(tick, courses[c].device[n], shell))
-          point.error.push_back(1e3 * *apart);
-      }
+      for (std::size_t n = 0; n < courses[c].device.size(); ++n)
+        if (inside[c][n])
+          point.error.push_back(1e3 * comparison::massDistance(led.tracks[m].ticks[c][n].X_WP,
+                                                               courses[c].device[n], shell));
     coupling.points.push_back(std::move(point));
   }
   return coupling;

@@ -21,11 +21,12 @@ struct Led {
 };
 Led led(Contenders field, const std::vector<comparison::Course>& courses, int runs);
 
-/// Coupling distance against time.
+/// Coupling distance against time, in the ticks in which the device itself is inside: the same for
+/// all, whatever a method calls a contact.
 WorkPrecision couplingOf(const Led& led, const std::string& title,
                          const std::vector<comparison::Summary>& summaries,
                          const std::vector<comparison::Course>& courses,
-                         const haptics::PointShell& shell);
+                         const haptics::PointShell& shell, const comparison::Judge& judge);
 
 /// What no diagram shows of them, a row for each.
 Table factsOf(const Led& led, const std::string& caption,

@@ -19,13 +19,15 @@ struct SceneEffort {
   double over_inside = 1.05;
 };
 
-/// One of the paper's scenes, rebuilt: literal, charitable, accept-inside, and ours with several
-/// budgets, fields and normals, all led along the same hands in one process. Coupling distance and
-/// residual against time; penetration, wall passages and frozen share; a row of Table 1. What is
-/// judged runs by counted work, so that the cases repeat; budgets of CPU time are for the diagrams.
+/// One of the paper's scenes, rebuilt: the readings of the paper, the penalty method and the static
+/// god object, each swept over its own settings, and ours over budgets, all led along the same
+/// hands in one process. Coupling distance and residual against time; penetration, wall passages
+/// and frozen share; a row of Table 1. What is judged runs by counted work, so that the cases
+/// repeat; budgets of CPU time are for the diagrams.
 Outcome sceneStudy(const std::string& scene, const SceneEffort& effort);
 
-/// The same of ours alone, with other values of epsilon and of the sub-steps in a tick.
+/// The same of ours alone, with other values of epsilon and of the sub-steps in a tick, and with
+/// other fields and normals.
 Outcome finenessStudy(const std::string& scene, const SceneEffort& effort);
 
 /// Ours with 10^3 points and more, with budgets: what a budget costs in lag.

@@ -65,7 +65,7 @@ std::vector<Track> follow(std::vector<std::unique_ptr<Method>>& methods,
 std::optional<double> coupledBy(const Tick& tick, const Pose& X_WD,
                                 const haptics::PointShell& shell) {
   const double apart = massDistance(tick.X_WP, X_WD, shell);
-  if (tick.contacts > 0 || apart > kApart) return apart;
+  if (tick.contacts > 0 || (apart > kApart && !tick.lags)) return apart;
   return {};
 }
 

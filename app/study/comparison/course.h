@@ -67,7 +67,8 @@ struct Summary {
 };
 
 /// Metres that a tick's proxy is from its device in the mass metric, where the tool is in contact:
-/// whoever is kept from the device is, whatever a cut tick knows of it. None in free space.
+/// whoever is kept from the device is, whatever a cut tick knows of it; of a tool with mass, where
+/// its points touch. None in free space.
 std::optional<double> coupledBy(const Tick& tick, const Pose& X_WD,
                                 const haptics::PointShell& shell);
 

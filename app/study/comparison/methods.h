@@ -8,6 +8,8 @@
 
 #include "app/study/comparison/scenes.h"
 #include "app/study/reference/tick.h"
+#include "app/study/rivals/penalty.h"
+#include "app/study/rivals/static_god_object.h"
 #include "haptics/core/budget.h"
 #include "haptics/scene/scene.h"
 #include "haptics/servo/rate.h"
@@ -28,12 +30,14 @@ struct Limit {
 /// What one tick came to.
 struct Tick {
   Pose X_WP = Pose::Identity();
-  Vec3 force = Vec3::Zero();  ///< N, on the hand
+  Vec3 force = Vec3::Zero();   ///< N, on the hand
+  Vec3 torque = Vec3::Zero();  ///< N·m, likewise, about the tool's origin
   int contacts = 0;
   std::int64_t cpu_ns = 0;  ///< of the thread, the budget's own clock included
   haptics::Counts counts;   ///< what it did
   std::int64_t work = 0;    ///< units of work (core/budget.h); of ours only
   bool cut = false;         ///< the budget ended it
+  bool lags = false;        ///< the tool has mass, and is behind in free space too
 };
 
 /// What ticks did on the mean.
@@ -67,16 +71,26 @@ class Method {
   virtual void step(const Pose& X_WD, Tick& tick) = 0;
 };
 
-inline constexpr double kStiffness = 1000.0;  ///< N/m, of every method
+inline constexpr double kStiffness = 1000.0;  ///< N/m, of every method that is given no other
 
 /// haptics::tick with this stiffness.
 std::unique_ptr<Method> ours(std::shared_ptr<const haptics::Scene> scene, double isovalue,
-                             Limit limit);
-/// One reading of the paper's words (app/study/reference), with the same stiffness.
+                             Limit limit, double stiffness = kStiffness);
+/// One reading of the paper's words (app/study/reference), with the same stiffness; its six steps
+/// are made so many times in a tick.
 std::unique_ptr<Method> rival(const Touched& scene, const haptics::PointShell& shell,
-                              const reference::Choices& choices);
+                              const reference::Choices& choices, int sub_steps = 1);
+/// The penalty method (app/study/rivals).
+std::unique_ptr<Method> penalty(const Touched& scene, const haptics::PointShell& shell,
+                                const rivals::PenaltySettings& settings = {},
+                                haptics::ServoRate rate = {}, double stiffness = kStiffness);
+/// The static god object (app/study/rivals).
+std::unique_ptr<Method> godObject(const Touched& scene, const haptics::PointShell& shell,
+                                  const rivals::GodObjectSettings& settings = {},
+                                  double stiffness = kStiffness);
 
-/// literal, charitable, accept-inside and ours, in this order.
+/// literal, charitable, accept-inside, penalty, god object and ours, in this order, each as it is
+/// best.
 std::vector<std::unique_ptr<Method>> allMethods(const Touched& scene,
                                                 std::shared_ptr<const haptics::Scene> built,
                                                 Limit limit);
