@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/stability/stability.h"
 
+#include "app/study/stability/rivals.h"
+
 namespace study::stability {
 namespace {
 
@@ -60,8 +62,8 @@ Study stabilityStudy(Depth depth) {
       "with what is not shipped, are rows of tables.",
       "Energy is what the loop gives to the hand less what it takes, exact for a force that is "
       "held. After a press and release nothing is stored any more: what is left was generated."};
-  for (const auto& jobs :
-       {failureJobs(depth), limitJobs(depth), pressJobs(depth), handJobs(depth), rateJobs(depth)})
+  for (const auto& jobs : {failureJobs(depth), limitJobs(depth), pressJobs(depth), handJobs(depth),
+                           rateJobs(depth), rivalJobs(depth)})
     study.jobs.insert(study.jobs.end(), jobs.begin(), jobs.end());
   study.jobs.push_back(
       {"omissions", "What is left out", 0.01, [=](std::uint64_t) { return omissions(depth); }});

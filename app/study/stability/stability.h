@@ -10,7 +10,7 @@
 
 namespace study::stability {
 
-/// The study: stiff and extreme input. Its jobs are those of the five parts below.
+/// The study: stiff and extreme input. Its jobs are those of the parts below.
 Study stabilityStudy(Depth depth);
 
 /// Situations in which the paper's method, or a plausible step beyond it, fails: each a case with

@@ -8,6 +8,7 @@
 
 #include "app/study/stability/failures.h"
 #include "app/study/stability/loops.h"
+#include "app/study/stability/rivals.h"
 #include "datasets/phantoms/making.h"
 #include "tests/support/made.h"
 
@@ -244,6 +245,48 @@ TEST(Press, AsShippedIsGuarded) {
   EXPECT_EQ(study::stability::press({{device}, allowed, true}, stage).share, 1.0);
   EXPECT_LT(study::stability::press({{device}, 5.0 * allowed, true}, stage).share, 0.7);
   EXPECT_EQ(study::stability::press({{device}, 5.0 * allowed}, stage).share, 1.0);
+}
+
+/// A method whose force is that of the tick before.
+class ATickLate final : public comparison::Method {
+ public:
+  explicit ATickLate(comparison::Method& method) : method_{method} {}
+  const char* name() const override { return "late"; }
+  void start(const haptics::Pose& X_WP) override { method_.start(X_WP); }
+
+ private:
+  void step(const haptics::Pose& X_WD, comparison::Tick& tick) override {
+    tick = method_.tick(X_WD);
+    std::swap(tick.force, force_);
+  }
+  comparison::Method& method_;
+  haptics::Vec3 force_ = haptics::Vec3::Zero();
+};
+
+TEST(Rivals, InTheLoopEnterWhereOursDoesNotAndLateForcesGiveEnergy) {
+  const comparison::Touched touched = comparison::phantomScene("sphere");
+  const auto scene = haptics::makeScene(touched.volume, toolOf(touched)).value();
+  constexpr double kHere = 8000.0;  // N/m
+  const auto hand =
+      haptics::Hand::aimed(haptics::HandMotion::Tap, *scene, touched.isovalue, 0.01, 1).value();
+  const auto run = [&](comparison::Method& method) {
+    return study::stability::runRival(method, findDeviceModel("lambda.7").value(), hand, touched,
+                                      scene->tool.shell, {}, kHere, 900);
+  };
+  const auto ours = comparison::ours(scene, touched.isovalue, {0, haptics::kTickWork}, kHere);
+  // with no layer outside that pushes, it must be inside to push at all
+  rivals::PenaltySettings settings;
+  settings.layer = 0.0;
+  const auto penalty = comparison::penalty(touched, scene->tool.shell, settings, {}, kHere);
+  const auto own = run(*ours), other = run(*penalty);
+  EXPECT_GT(own.contact, 50);
+  EXPECT_GT(other.contact, 50);
+  EXPECT_EQ(own.penetration, 0.0);
+  EXPECT_GT(other.penetration, 1e-6);
+  ATickLate late{*ours};
+  const auto planted = run(late);
+  EXPECT_GT(planted.beyond_damping, own.beyond_damping + 1e-4);
+  EXPECT_GT(planted.shaking, own.shaking);
 }
 
 TEST(PressJobs, JudgeWhatIsAllowedAndShowTheRestAsRows) {
