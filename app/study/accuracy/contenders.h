@@ -75,7 +75,7 @@ inline void addRivals(Contenders& all, const comparison::Touched& scene,
   std::vector<int> motions{8, 4};
   if (every_setting) {
     stiffnesses.insert(stiffnesses.end(), {{3e3, 1}, {10e3, 4}, {30e3, 8}, {100e3, 8}});
-    motions.insert(motions.end(), {1, 2, 16});
+    motions.insert(motions.end(), {6, 16});
   }
   for (const auto& [stiffness, sub_steps] : stiffnesses) {
     rivals::PenaltySettings settings;
