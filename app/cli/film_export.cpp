@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/film_export.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -14,6 +17,9 @@
 #include "app/film/film.h"
 #include "app/recording/recording.h"
 #include "app/recording/replay.h"
+#include "app/view_file/view_file.h"
+#include "haptics/field/scalar_field.h"
+#include "ui/overlays/measure_words.h"
 
 namespace app::cli {
 namespace {
@@ -25,6 +31,27 @@ bool readSize(const std::string& text, FilmOptions& options) {
   if (width.ec != std::errc{} || width.ptr == end || *width.ptr != 'x') return false;
   const auto height = std::from_chars(width.ptr + 1, end, options.height);
   return height.ec == std::errc{} && height.ptr == end && options.width > 0 && options.height > 0;
+}
+
+std::vector<FilmMark> marksOf(const ViewFile& view,
+                              const std::shared_ptr<const haptics::Volume>& volume) {
+  const auto field = std::make_shared<const haptics::ScalarField>(volume);
+  return filmMarks(view.marks, {.grid = volume->grid,
+                                .unit = QString::fromStdString(volume->unit),
+                                .value = [field](const haptics::Vec3& p_W_mm) {
+                                  return field->value(field->indexOf(p_W_mm / ui::kMmPerM));
+                                }});
+}
+
+/// The camera of a view; of a parallel one, from where perspective shows the middle as large.
+FilmCamera cameraOf(const ui::ViewLook& look) {
+  FilmCamera camera{.position_mm = look.eye_mm, .focus_mm = look.focus_mm, .up = look.up};
+  if (look.parallel)
+    camera.position_mm =
+        look.focus_mm +
+        (look.eye_mm - look.focus_mm).normalized() *
+            (look.half_height_mm / std::tan(0.5 * camera.angle_deg * std::numbers::pi / 180.0));
+  return camera;
 }
 
 Outcome refusedFilm(const haptics::Error& error) {
@@ -52,12 +79,17 @@ Outcome exportFilm(const FilmChoice& choice) {
   if (choice.surface == "mesh") options.surface = ui::SurfaceMode::Mesh;
   if (choice.surface == "raycast") options.surface = ui::SurfaceMode::RayCast;
   options.goes_on = [](double) { return !interrupted(); };
+  const bool noVolume = choice.volume.path.empty() && choice.volume.phantom.empty();
+
+  if (choice.slices && noVolume) return usage("--slices needs --volume or --phantom.");
+  if (!choice.view.empty() && noVolume) return usage("--view needs --volume or --phantom.");
 
   std::vector<Target> targets;
   for (const std::filesystem::path& file : filesOfFilm(choice.out))
     targets.push_back({"--out", file.string()});
-  if (const auto wrong = overwritten(targets, choice.volume, {choice.recording}))
-    return usage(*wrong);
+  std::vector<std::string> inputs{choice.recording};
+  if (!choice.view.empty()) inputs.push_back(choice.view);
+  if (const auto wrong = overwritten(targets, choice.volume, inputs)) return usage(*wrong);
   auto recording = Recording::open(choice.recording);
   if (!recording) return refused(recording.error());
   std::shared_ptr<const haptics::Volume> volume;
@@ -67,7 +99,7 @@ Outcome exportFilm(const FilmChoice& choice) {
     return liesLike(scene.volume, *volume) && compared(scene.hash, hash) != SameVolume::Another;
   };
   bool face = false;
-  if (!choice.volume.path.empty() || !choice.volume.phantom.empty()) {
+  if (!noVolume) {
     auto loaded = loadVolume(choice.volume);
     if (!loaded) return refused(loaded.error());
     volume = *loaded;
@@ -81,12 +113,23 @@ Outcome exportFilm(const FilmChoice& choice) {
     if (touched.empty())
       return refused(
           {haptics::Error::Kind::Unsupported, {"film-other-volume", {}}, "another-volume"});
-    face = choice.volume.phantom.empty() && mayShowAFace(*volume, leastIsovalue(*recording));
+    double least = leastIsovalue(*recording);
+    if (!choice.view.empty()) {
+      const auto view = viewOver(choice.view, *volume, hash);
+      if (!view) return refused(view.error());
+      options.look = lookOf(view->look, marksOf(*view, volume));
+      options.camera = cameraOf(view->look);
+      least = std::min(least, view->look.second.value_or(least));
+    }
+    face = choice.volume.phantom.empty() && mayShowAFace(*volume, least);
   }
+  options.look.slices = choice.slices;
   if (face)
     tell(
         "At this isovalue skin is drawn, and a face can tell who the patient is: look at the film "
         "before you pass it on.");
+  if (!options.look.marks.empty())
+    tell("Notes are shown as they were written: look whether they name somebody.");
 
   const auto volumeOf = [&](std::uint32_t id) {
     const auto found = touched.find(id);
@@ -133,6 +176,12 @@ void addFilmOptions(CLI::App& command, FilmChoice& choice) {
       ->check(CLI::IsMember({"recorded", "fixed"}));
   command.add_option("--surface", choice.surface, "How the surface is drawn")
       ->check(CLI::IsMember({"raycast", "mesh"}));
+  command.add_flag("--slices", choice.slices, "Show the three slices through the tool beside it");
+  command
+      .add_option("--view", choice.view,
+                  "Show marks, second surface and colours of this saved view, "
+                  "NAME.palpate-view; with --camera fixed, from where it looks")
+      ->check(notEmpty());
 }
 
 }  // namespace app::cli

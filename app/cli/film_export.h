@@ -20,13 +20,15 @@ struct FilmChoice {
   bool burn_in = false;
   std::string camera = "recorded";  ///< or "fixed": a view of surface and tool
   std::string surface = {};         ///< "raycast" or "mesh"; empty: chosen by the graphics
+  bool slices = false;
+  std::string view = {};  ///< a saved view: its marks, second surface, colours and grey window
 };
 
 /// Draws and writes the film, until it is complete or the user interrupts.
 Outcome exportFilm(const FilmChoice& choice);
 
-/// Adds --volume, --phantom, the options of reading, --size, --fps, --speed, --burn-in, --camera
-/// and --surface.
+/// Adds --volume, --phantom, the options of reading, --size, --fps, --speed, --burn-in, --camera,
+/// --surface, --slices and --view.
 void addFilmOptions(CLI::App& command, FilmChoice& choice);
 
 }  // namespace app::cli

@@ -13,6 +13,7 @@
 
 #include "app/cli/interrupts.h"
 #include "app/cli/options.h"
+#include "app/recording/recording.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/process/input_file.h"
 #include "haptics/process/output_file.h"
@@ -189,6 +190,20 @@ std::optional<std::string> overwritten(const std::vector<Target>& targets,
              "\" is a file that is read here, and would be lost; name another.";
   }
   return {};
+}
+
+haptics::Expected<ViewFile> viewOver(const std::string& path, const haptics::Volume& scan,
+                                     const std::optional<VolumeHash>& hash) {
+  haptics::keepInput(path);
+  auto view = readViewFile(path);
+  if (!view) return view;
+  haptics::Volume of_view;
+  of_view.grid = view->grid;
+  of_view.type = view->type;
+  if (!liesLike(of_view, scan) || compared(view->hash, hash) == SameVolume::Another)
+    return tl::unexpected(
+        Error{Error::Kind::Unsupported, {"view-other-scan", {path}}, "another-volume"});
+  return view;
 }
 
 haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/view_file/view_file.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 #include "haptics/tool/point_shell.h"
@@ -33,6 +34,10 @@ void addReading(CLI::App& command, VolumeChoice& choice);
 datasets::Reading readingOf(const VolumeChoice& choice);
 #endif
 haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const VolumeChoice& choice);
+
+/// Reads a saved view. Refuses one of another scan, by geometry and, where both are known, by hash.
+haptics::Expected<ViewFile> viewOver(const std::string& path, const haptics::Volume& scan,
+                                     const std::optional<VolumeHash>& hash = {});
 
 /// Which tool: a named one, a mesh file, or a CSV of points (x,y,z in metres, one header line).
 struct ToolChoice {

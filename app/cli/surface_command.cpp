@@ -5,8 +5,6 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
-#include "app/recording/recording.h"
-#include "app/view_file/view_file.h"
 #include "datasets/edits/edit_history.h"
 #include "datasets/surface/surface_file.h"
 #include "haptics/process/output_file.h"
@@ -21,22 +19,6 @@ struct SurfaceOptions {
   bool largest = false;
 };
 
-/// The volume without the parts that were removed in a saved view.
-haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsIn(
-    const std::string& path, std::shared_ptr<const haptics::Volume> scan,
-    const datasets::EditWatch& watch) {
-  haptics::keepInput(path);
-  const auto view = readViewFile(path);
-  if (!view) return tl::unexpected(view.error());
-  haptics::Volume of_view;
-  of_view.grid = view->grid;
-  of_view.type = view->type;
-  if (!liesLike(of_view, *scan))
-    return tl::unexpected(haptics::Error{
-        haptics::Error::Kind::Unsupported, {"view-other-scan", {path}}, "another-volume"});
-  return datasets::edited(std::move(scan), view->edits, watch);
-}
-
 Outcome writeSurface(const SurfaceOptions& options) {
   if (options.volume.path.empty() == options.volume.phantom.empty())
     return usage("surface needs a volume: a path, or --phantom NAME.");
@@ -50,7 +32,9 @@ Outcome writeSurface(const SurfaceOptions& options) {
   if (!volume) return refused(volume.error());
   const datasets::EditWatch watch{.cancel = &interruption()};
   if (!options.view.empty()) {
-    volume = editedAsIn(options.view, *volume, watch);
+    const auto view = viewOver(options.view, **volume);
+    if (!view) return refused(view.error());
+    volume = datasets::edited(*volume, view->edits, watch);
     if (!volume) return refused(volume.error());
   }
   const auto surface = datasets::Surface::of(*volume, options.isovalue, options.largest, watch);

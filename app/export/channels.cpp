@@ -36,17 +36,19 @@ void appendSeconds(std::string& line, std::int64_t ns) {
 
 namespace {
 
-std::vector<Channel> poseChannels(const std::string& point, PoseNumbers RecordedStep::*numbers) {
+std::vector<Channel> poseChannels(const std::string& point, const std::string& where,
+                                  PoseNumbers RecordedStep::*numbers) {
   constexpr const char* kComponents[] = {"x", "y", "z", "quat_w", "quat_x", "quat_y", "quat_z"};
   std::vector<Channel> channels;
   for (std::size_t i = 0; i < 7; ++i) {
     const bool place = i < 3;
-    channels.push_back({point + "_" + kComponents[i], kComponents[i], place ? "POS" : "ORNT", point,
-                        place ? "m" : kMissing, kFrame,
-                        place ? "Position of the tool's origin" : "Orientation, a unit quaternion",
-                        [numbers, i](std::string& line, const RecordedStep& row, std::int64_t) {
-                          append(line, (row.*numbers)[i]);
-                        }});
+    channels.push_back(
+        {point + "_" + kComponents[i], kComponents[i], place ? "POS" : "ORNT", point,
+         place ? "m" : kMissing, kFrame,
+         (place ? "Position of the tool's origin, " : "Orientation, a unit quaternion, ") + where,
+         [numbers, i](std::string& line, const RecordedStep& row, std::int64_t) {
+           append(line, (row.*numbers)[i]);
+         }});
   }
   return channels;
 }
@@ -113,8 +115,9 @@ std::vector<Channel> motionChannels(const Recording& recording) {
                  [](std::string& line, const RecordedStep& row, std::int64_t first_ns) {
                    appendSeconds(line, row.step.time_ns - first_ns);
                  }});
-  add(poseChannels("device", &RecordedStep::device));
-  add(poseChannels("proxy", &RecordedStep::proxy));
+  add(poseChannels("device", "where the hand holds the tool", &RecordedStep::device));
+  add(poseChannels("proxy", "where the surface lets the tool be, after the tick",
+                   &RecordedStep::proxy));
   add(vectorChannels("force", "N", "Force sent to the hand",
                      [](const Step& step) -> const Vec3& { return step.sent_W.force; }));
   add(vectorChannels("torque", "N.m", "Torque sent to the hand, about the device's origin",

@@ -235,7 +235,7 @@ class Drawing {
       if (level > 1e-3) from = side;
       from.z() = std::clamp(from.z(), -0.8 * level, 0.8 * level);
     }
-    stage_.look(cameraAround(balls, from, double(options_.width) / options_.height));
+    stage_.look(cameraAround(balls, from, stage_.aspect()));
     return {};
   }
 

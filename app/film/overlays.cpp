@@ -16,6 +16,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <QCoreApplication>
 #include <QString>
 #include <algorithm>
 #include <tuple>
@@ -31,6 +32,28 @@ constexpr double kMargin = 45.0;              // this part of the shorter side i
 constexpr int kWordsSize = 16;
 
 }  // namespace
+
+FilmLook lookOf(const ui::ViewLook& view, std::vector<FilmMark> marks) {
+  return {.colours = view.colours,
+          .second = view.second,
+          .second_opacity = view.second_opacity,
+          .marks = std::move(marks),
+          .grey = ui::GreyWindow{view.grey_level, view.grey_width}};
+}
+
+std::vector<FilmMark> filmMarks(const std::vector<ui::Measure>& marks,
+                                const ui::MeasuredScan& scan) {
+  std::vector<FilmMark> shown;
+  for (const ui::Measure& mark : marks) {
+    const QString value = ui::valueOf(mark, scan), words = QString::fromStdString(mark.text);
+    shown.push_back(
+        {mark.places_mm,
+         (value.isEmpty() ? words
+                          : QCoreApplication::translate("app::Film", "%1: %2").arg(words, value))
+             .toStdString()});
+  }
+  return shown;
+}
 
 void addMarks(vtkRenderer& renderer, const std::vector<FilmMark>& marks) {
   const QColor& ink = ui::style::kMeasure;

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "haptics/core/geometry.h"
-#include "ui/props/colouring.h"
+#include "ui/overlays/measure_words.h"
+#include "ui/props/slice.h"
 #include "ui/props/view_look.h"
 
 class vtkActor2D;
@@ -28,11 +29,20 @@ struct FilmMark {
 
 /// What a film has of the view beside the recording: as the user saw it.
 struct FilmLook {
-  ui::Colouring colours = {};
+  ui::SurfaceColours colours = ui::SurfaceColours::Ivory;
   std::optional<double> second = {};  ///< isovalue of a second surface, which is seen as a veil
   double second_opacity = ui::kFirstOpacity;
   std::vector<FilmMark> marks = {};
+  bool slices = false;                      ///< three slices in a column beside it
+  std::optional<ui::GreyWindow> grey = {};  ///< of the slices; none: as the volume is first shown
 };
+
+/// What a film has of a view.
+FilmLook lookOf(const ui::ViewLook& view, std::vector<FilmMark> marks);
+
+/// The marks of a scan with their words.
+std::vector<FilmMark> filmMarks(const std::vector<ui::Measure>& marks,
+                                const ui::MeasuredScan& scan);
 
 /// Puts marks over a picture, in front of everything.
 void addMarks(vtkRenderer& renderer, const std::vector<FilmMark>& marks);

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "app/display.h"
+#include "app/film/slices.h"
 #include "ui/props/held_pass.h"
 #include "ui/props/letters.h"
 #include "ui/props/tool_prop.h"
@@ -63,6 +64,7 @@ struct FilmStage::Layers {
   vtkNew<ui::VeilPass> veil;
   vtkNew<vtkRenderer> surface_layer, proxy_layer, veil_layer, overlay_layer;
   std::unique_ptr<FilmCurve> curve;
+  std::optional<FilmSlices> slices;
   std::unique_ptr<ui::Letters> letters;
   vtkNew<vtkRenderWindow> window;
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -107,6 +109,8 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.wish = wish;
   s.frame.width = width;
   s.frame.height = height;
+  s.look = std::move(look_of_view);
+  if (s.look.slices) width -= s.slices.emplace(width, height, s.look.grey).width();
   s.window->SetOffScreenRendering(1);
   s.window->SetMultiSamples(0);  // the kept surface is copied pixel by pixel
   s.window->SetSize(width, height);
@@ -124,7 +128,6 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.proxy_layer->PreserveDepthBufferOn();
   s.veil_layer->PreserveDepthBufferOn();
   s.veil_layer->SetPass(s.veil);
-  s.look = std::move(look_of_view);
   s.veil->setOpacity(s.look.second_opacity);
   s.veil_layer->AddActor(s.surface.secondMesh());
   s.veil_layer->SetDraw(s.look.second.has_value());
@@ -157,6 +160,7 @@ void FilmStage::show(const haptics::Tool* tool) {
   Layers& s = *layers_;
   s.tool_radius = 0.0;
   s.has_tool = tool != nullptr;
+  if (s.slices) s.slices->show(s.has_tool ? tool->mesh : haptics::TriangleMesh{});
   if (!s.has_tool) return;
   haptics::TriangleMesh mesh = tool->mesh;
   if (mesh.triangles.empty()) mesh.vertices = tool->shell.points;
@@ -182,11 +186,12 @@ void FilmStage::show(const std::shared_ptr<const haptics::Volume>& volume) {
   } else {
     s.picture = ui::pictureOf(volume);
     s.surface.show(s.picture);
-    s.surface.setColouring(s.look.colours);
+    s.surface.setColouring(ui::Colouring::of(s.look.colours, s.picture));
     s.surface.setSecond(s.look.second);
     s.surface.setMode(ui::chooseSurface(s.wish, s.graphics, volume->grid).mode);
   }
   s.placeProxy();
+  if (s.slices) s.slices->show(s.picture);
 }
 
 void FilmStage::write(const std::string& text) {
@@ -211,6 +216,10 @@ void FilmStage::look(const FilmCamera& camera) {
 
 FilmCurve& FilmStage::curve() { return *layers_->curve; }
 const FilmCamera& FilmStage::camera() const { return layers_->camera; }
+double FilmStage::aspect() const {
+  const int* size = layers_->window->GetSize();
+  return double(size[0]) / size[1];
+}
 ui::SurfaceMode FilmStage::surfaceMode() const { return layers_->surface.mode(); }
 
 Eigen::AlignedBox3d FilmStage::surfaceBox_mm(double isovalue) {
@@ -281,9 +290,14 @@ const FilmFrame& FilmStage::draw(const haptics::Step& step) {
   s.window->Render();
 
   FilmFrame& frame = s.frame;
-  s.window->GetPixelData(0, 0, frame.width - 1, frame.height - 1, 0, s.pixels);
-  const std::uint8_t* first = s.pixels->GetPointer(0);
-  frame.rgb.assign(first, first + s.pixels->GetNumberOfValues());
+  const int width = frame.width - (s.slices ? s.slices->width() : 0);
+  s.window->GetPixelData(0, 0, width - 1, frame.height - 1, 0, s.pixels);
+  frame.rgb.resize(3 * static_cast<std::size_t>(frame.width) *
+                   static_cast<std::size_t>(frame.height));
+  for (std::ptrdiff_t y = 0; y < frame.height; ++y)
+    std::copy_n(s.pixels->GetPointer(3 * y * width), 3 * width,
+                frame.rgb.begin() + 3 * y * frame.width);
+  if (s.slices) s.slices->draw(step, frame);
   return frame;
 }
 

@@ -37,6 +37,8 @@ class FilmStage {
   FilmCurve& curve();
   void look(const FilmCamera& camera);
   const FilmCamera& camera() const;
+  /// Width over height of the 3-D picture.
+  double aspect() const;
   /// Bounding box of the surface at an isovalue, in W [mm]; empty if there is no surface.
   Eigen::AlignedBox3d surfaceBox_mm(double isovalue);
 

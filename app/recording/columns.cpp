@@ -162,7 +162,7 @@ const StepColumn kColumns[] = {
         [](auto& row) -> auto& { return row.step.settings.force_scale; }),
     column(
         "position_scale", "1", "settings/position_scale", kSteady,
-        "m that the tool moves for each m of the hand",
+        "metres that the tool moves for each metre of the hand",
         [](auto& row) -> auto& { return row.step.settings.position_scale; }),
     column(
         "cut_at", "", "tick/cut_at", kChanging, "work at which the tick was cut off; 0: it was not",

@@ -2,6 +2,7 @@
 #include "datasets/surface/surface.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -256,11 +257,19 @@ class Walk {
 };
 
 struct Count : SurfaceReceiver {
-  void corner(const SurfacePoint&) override { ++corners; }
+  static constexpr std::int64_t kSample = 61;
+  void corner(const SurfacePoint& point) override {
+    if (corners++ % kSample != 0) return;
+    ++sampled;
+    std::array<char, 32> number{};
+    for (const float x : point)
+      letters += std::to_chars(number.data(), number.data() + number.size(), x).ptr - number.data();
+  }
   void triangle(const std::array<std::int64_t, 3>&, const std::array<SurfacePoint, 3>&) override {
     ++triangles;
   }
   std::int64_t corners = 0, triangles = 0;
+  std::int64_t sampled = 0, letters = 0;  ///< corners, and the length of their numbers as text
 };
 
 /// The voxels of the largest connected part; none: cancelled.
@@ -296,8 +305,15 @@ EditWatch partOf(const EditWatch& watch, double from, double until) {
 
 haptics::Expected<Surface> Surface::of(std::shared_ptr<const haptics::Volume> volume,
                                        double isovalue, bool largest, const EditWatch& watch) {
+  const auto refusal = [&](const char* id) {
+    return tl::unexpected(
+        haptics::Error{haptics::Error::Kind::Unsupported,
+                       {id, {shown(isovalue), shown(volume->least), shown(volume->greatest)}},
+                       "nothing"});
+  };
+  if (isovalue <= volume->least) return refusal("surface-all-solid");
   Surface surface;
-  surface.volume_ = std::move(volume);
+  surface.volume_ = volume;
   surface.isovalue_ = isovalue;
   if (largest) {
     surface.part_ = largestPart(*surface.volume_, isovalue, watch);
@@ -308,12 +324,8 @@ haptics::Expected<Surface> Surface::of(std::shared_ptr<const haptics::Volume> vo
     return tl::unexpected(editCancelled());
   surface.corners_ = count.corners;
   surface.triangles_ = count.triangles;
-  if (count.triangles == 0)
-    return tl::unexpected(haptics::Error{
-        haptics::Error::Kind::Unsupported,
-        {"surface-none",
-         {shown(isovalue), shown(surface.volume_->least), shown(surface.volume_->greatest)}},
-        "nothing"});
+  if (count.triangles == 0) return refusal("surface-none");
+  surface.corner_letters_ = double(count.letters) / double(count.sampled);
   return surface;
 }
 

@@ -44,8 +44,8 @@ EditWatch partOf(const EditWatch& watch, double from, double until);
 class Surface {
  public:
   /// `largest`: only the largest connected part of the solid, with its cavities. Refuses an
-  /// isovalue at which there is no surface, reason "nothing". Any thread; takes up to some seconds.
-  /// Its memory does not grow with the surface.
+  /// isovalue at which there is no surface or all is solid, reason "nothing". Any thread; takes up
+  /// to some seconds. Its memory does not grow with the surface.
   static haptics::Expected<Surface> of(std::shared_ptr<const haptics::Volume> volume,
                                        double isovalue, bool largest, const EditWatch& watch = {});
 
@@ -53,6 +53,8 @@ class Surface {
   double isovalue() const { return isovalue_; }
   std::int64_t corners() const { return corners_; }
   std::int64_t triangles() const { return triangles_; }
+  /// How long the three numbers of a corner are as text, on average of some of them.
+  double cornerLetters() const { return corner_letters_; }
 
   /// Gives all corners and triangles to the receiver, their places in `frame`. False: cancelled.
   bool walk(SurfaceFrame frame, SurfaceReceiver& receiver, const EditWatch& watch = {}) const;
@@ -62,6 +64,7 @@ class Surface {
   double isovalue_ = 0.0;
   std::optional<VoxelBits> part_;  ///< the solid voxels of the largest part; none: all parts
   std::int64_t corners_ = 0, triangles_ = 0;
+  double corner_letters_ = 0.0;
 };
 
 }  // namespace datasets

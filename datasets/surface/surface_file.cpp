@@ -207,8 +207,11 @@ std::int64_t bytesOf(const Surface& surface, SurfaceFormat format) {
     case SurfaceFormat::Obj:
       break;
   }
-  const auto digits = static_cast<std::int64_t>(std::to_string(corners).size());
-  return 31 * corners + (5 + 3 * digits) * triangles;
+  // "v x y z", "f a b c", and the mean length of the numbers from 1 to `corners`
+  const double longest = std::floor(std::log10(double(corners))) + 1.0;
+  const double digits = longest - (std::pow(10.0, longest) - 1.0) / (9.0 * double(corners));
+  return std::llround((5.0 + surface.cornerLetters()) * double(corners) +
+                      (5.0 + 3.0 * digits) * double(triangles));
 }
 
 haptics::Expected<std::int64_t> writeSurface(const Surface& surface,

@@ -57,6 +57,11 @@ inline constexpr Row kExports[] = {
     {"surface-none",
      "There is no surface at the isovalue %1; choose one between %2 and %3, the range of the scan.",
      "nothing"},
+    {"surface-all-solid",
+     "At the isovalue %1 the whole scan is solid, and its surface is a box; choose an isovalue "
+     "above "
+     "%2, the least value of the scan, up to %3, the greatest.",
+     "nothing"},
     {"surface-too-large",
      "The surface has %1 triangles, which is more than a file of this format can count; choose "
      "another isovalue, or crop the scan.",

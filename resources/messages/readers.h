@@ -400,7 +400,7 @@ inline constexpr Row kReaders[] = {
     {"nifti-sform-senseless", "The sform places nothing, so the qform places the volume."},
     // NRRD
     {"nrrd-axis-kind",
-     "Axis %1 of %2, counted from 0, is of kind %3 and holds no places; export a volume of three "
+     "Axis %1 of %2, counted from 1, is of kind %3 and holds no places; export a volume of three "
      "axes and one value per voxel.",
      "not-scalar"},
     {"nrrd-four-places",

@@ -419,6 +419,8 @@ def is_one_table(folder, recording, truth):
     explained = json.load(open(whole("csv", out)[1], encoding="utf-8"))
     check(list(explained["columns"]) == names, "the dictionary's columns are not the table's")
     check(all(c["meaning"] for c in explained["columns"].values()), "a column without a meaning")
+    meanings = [c["meaning"] for name, c in explained["columns"].items() if name.endswith(("_x", "_quat_w"))]
+    check(len(set(meanings)) == len(meanings), f"columns that mean the same: {meanings}")
     units = {name: c.get("unit") for name, c in explained["columns"].items()}
     for name, unit in (("time_s", "s"), ("device_x", "m"), ("proxy_z", "m"), ("proxy_quat_w", None), ("force_z", "N"),
                        ("torque_y", "N.m")):

@@ -125,7 +125,10 @@ def surface(name, *words, what=None):
     path = FOLDER / name
     said, told = cli("surface", *words, "--out", path)
     check(said.get("bytes") == path.stat().st_size, f"{name}: {said}")
-    check(re.search(rf"^{said.get('triangles')} triangles, (about )?\d+ MB\.$", told, re.M), f"{name}: it said {told}")
+    expected = re.search(rf"^{said.get('triangles')} triangles, (?:about )?(\d+) MB\.$", told, re.M)
+    check(expected, f"{name}: it said {told}")
+    check(-0.02 * said["bytes"] < 1e6 * int(expected[1]) - said["bytes"] < 1e6 + 0.02 * said["bytes"],
+          f"{name}: it said {told}, and has {said['bytes']} bytes")
     mesh = Mesh(path, what or name)
     check(len(mesh.triangles) == said["triangles"] and len(mesh.points) == said["corners"], f"{name}: {said}")
     return mesh
@@ -240,6 +243,9 @@ said, told = cli("surface", "--phantom", "sphere", "--isovalue", 1000, "--out", 
 check("another scan" in told, told)
 said, told = cli("surface", "--phantom", "sphere", "--isovalue", 99999, "--out", no, expect=3)
 check("no surface" in told and "99999" in told, told)
+for isovalue in 0, -5000:
+    said, told = cli("surface", "--phantom", "sphere", "--isovalue", isovalue, "--out", no, expect=3)
+    check("whole scan is solid" in told and "2000" in told, told)
 cli("surface", "--phantom", "sphere", "--isovalue", 1000, "--out", FOLDER / "no.vtk", expect=2)
 cli("surface", "--isovalue", 1000, "--out", no, expect=2)
 # so far away that numbers of STL cannot part its corners

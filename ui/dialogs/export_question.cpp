@@ -45,7 +45,8 @@ ExportDialog::ExportDialog(double begin, double end, std::vector<ExportFormat> f
       cameras_(new QComboBox),
       sizes_(new QComboBox),
       frame_rates_(new QComboBox),
-      figures_(new QCheckBox(tr("Show force, its curve and time in the picture"))) {
+      figures_(new QCheckBox(tr("Show force, its curve and time in the picture"))),
+      slices_(new QCheckBox(tr("Show the slices through the tool beside it"))) {
   setWindowTitle(tr("Export a recording"));
   formats_->setObjectName("exportFormat");
   formats_->setToolTip(tr("Format of the exported recording"));
@@ -154,6 +155,9 @@ QWidget* ExportDialog::buildFilm() {
   figures_->setToolTip(
       tr("The film then has the force and the time in figures, and the curve of the force"));
   figures_->setChecked(true);
+  slices_->setObjectName("filmSlices");
+  slices_->setToolTip(
+      tr("The film then has the axial, coronal and sagittal slice in a column at its right"));
 
   auto* all = new QWidget;
   auto* form = new QFormLayout(all);
@@ -162,6 +166,7 @@ QWidget* ExportDialog::buildFilm() {
   form->addRow(tr("Size"), sizes_);
   form->addRow(tr("Frames"), frame_rates_);
   form->addRow(figures_);
+  form->addRow(slices_);
   return all;
 }
 
@@ -211,6 +216,7 @@ ExportWish ExportDialog::wish() const {
   wish.film.height = size.height();
   wish.film.frames_per_second = frame_rates_->currentData().toInt();
   wish.film.figures = figures_->isChecked();
+  wish.film.slices = slices_->isChecked();
   return wish;
 }
 

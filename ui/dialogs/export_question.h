@@ -33,6 +33,7 @@ struct ExportWish {
     int width = 1280, height = 720;  ///< pixels
     int frames_per_second = 30;
     bool figures = true;  ///< force and time are written into the picture
+    bool slices = false;  ///< the three slices are beside it
   };
   std::optional<std::size_t> table = 0;  ///< index of the format; none: a film
   double from = 0.0, to = 0.0;
@@ -74,6 +75,7 @@ class ExportDialog : public QDialog {
   QComboBox* sizes_;
   QComboBox* frame_rates_;
   QCheckBox* figures_;
+  QCheckBox* slices_;
   QWidget* samples_ = nullptr;
   QWidget* film_ = nullptr;
   QPushButton* export_ = nullptr;

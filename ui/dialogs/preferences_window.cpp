@@ -265,11 +265,11 @@ void PreferencesWindow::buildPrivacy() {
          "until you save or discard it; off forgets both"));
   places_said_ = explained({});
   places_said_->setObjectName("placesSaid");
-  forget_ = new QPushButton(tr("&Forget them now"));
-  forget_->setObjectName("forgetPlacesNow");
-  forget_->setToolTip(tr("Removes the recent places and the work that was kept at once"));
+  auto* forget = new QPushButton(tr("&Forget them now"));
+  forget->setObjectName("forgetPlacesNow");
+  forget->setToolTip(tr("Removes the recent places and the work that was kept at once"));
   auto* row = new QHBoxLayout;
-  row->addWidget(forget_);
+  row->addWidget(forget);
   row->addStretch();
   column->addWidget(places_);
   column->addWidget(places_said_);
@@ -287,7 +287,7 @@ void PreferencesWindow::buildPrivacy() {
     choices_.places_remembered = on;
     tell();
   });
-  connect(forget_, &QPushButton::clicked, this, &PreferencesWindow::forgetPlacesWanted);
+  connect(forget, &QPushButton::clicked, this, &PreferencesWindow::forgetPlacesWanted);
 }
 
 void PreferencesWindow::buildShortcuts() {
@@ -338,7 +338,6 @@ void PreferencesWindow::showPlaces(int count) {
   places_said_->setText(count == 0   ? tr("No place is remembered.")
                         : count == 1 ? tr("One place is remembered.")
                                      : tr("%1 places are remembered.").arg(count));
-  forget_->setEnabled(count > 0);
 }
 
 void PreferencesWindow::chooseFolder() {

@@ -93,7 +93,6 @@ class PreferencesWindow : public QDialog {
   WarningLabel* refusal_;
   QCheckBox* places_;
   QLabel* places_said_;
-  QPushButton* forget_;
 };
 
 }  // namespace ui

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/dialogs/save_dialog.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
 #include <QStandardPaths>
 
 namespace ui {
@@ -22,6 +25,15 @@ void askForOutput(QFileDialog& dialog, const QString& filter, const QString& end
   dialog.setDirectory(folder);
   QObject::connect(&dialog, &QFileDialog::fileSelected,
                    [](const QString& file) { folder = QFileInfo(file).absolutePath(); });
+}
+
+void addNotesWarning(QFileDialog& dialog) {
+  auto* words = new QLabel(QCoreApplication::translate(
+      "ui::SaveDialog", "Notes are saved as you wrote them: do not name the patient."));
+  words->setObjectName("notesWarning");
+  words->setWordWrap(true);
+  if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
+    grid->addWidget(words, grid->rowCount(), 0, 1, -1);
 }
 
 }  // namespace ui

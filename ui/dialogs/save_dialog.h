@@ -12,4 +12,7 @@ namespace ui {
 /// documents. GUI thread.
 void askForOutput(QFileDialog& dialog, const QString& filter, const QString& ending);
 
+/// Says in the dialog that notes are written as the user wrote them.
+void addNotesWarning(QFileDialog& dialog);
+
 }  // namespace ui

@@ -98,6 +98,12 @@ Colouring Colouring::withVessels(const Picture& picture) {
                     stop(600.0, 0.97, style::kIvory)});
 }
 
+Colouring Colouring::of(SurfaceColours colours, const Picture& picture) {
+  return colours == SurfaceColours::Ivory    ? Colouring{}
+         : colours == SurfaceColours::Tissue ? byTissue(picture)
+                                             : withVessels(picture);
+}
+
 Rgb Colouring::at(double intensity) const {
   const auto above = std::ranges::upper_bound(stops_, intensity, {}, &Stop::intensity);
   if (above == stops_.begin()) return stops_.front().colour;

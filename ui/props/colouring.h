@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/props/picture.h"
+#include "ui/props/view_look.h"
 #include "ui/style/scene_colours.h"
 
 namespace ui {
@@ -32,6 +33,8 @@ class Colouring {
   static Colouring byTissue(const Picture& picture);
   /// The same, with what lies about the isovalue of vessels with contrast in red.
   static Colouring withVessels(const Picture& picture);
+
+  static Colouring of(SurfaceColours colours, const Picture& picture);
 
   Rgb at(double intensity) const;
 

@@ -13,7 +13,8 @@
 namespace ui {
 namespace {
 
-constexpr double kLeastShare = 0.30;   // of a direction, for its letter to be written
+// of a direction along an axis, for its letter to be enough: within 45 degrees
+constexpr double kEnough = 0.7072;
 constexpr double kCubeEdge = 0.46;     // of the square that the cube fills
 constexpr double kCubeDistance = 5.0;  // half edges, from its middle to the eye
 constexpr double kCubeMargin = 10.0;   // px
@@ -66,11 +67,11 @@ QString lettersTowards(const Eigen::Vector3d& direction_W) {
   std::vector<std::pair<double, Side>> shares;
   for (const Side side : kSides) {
     const double share = directionOf(side).dot(direction_W.normalized());
-    if (share > kLeastShare) shares.emplace_back(share, side);
+    shares.emplace_back(share, side);
   }
-  std::ranges::sort(shares, [](const auto& a, const auto& b) { return a.first > b.first; });
-  QString letters;
-  for (const auto& [share, side] : shares) letters += letterOf(side);
+  std::ranges::stable_sort(shares, [](const auto& a, const auto& b) { return a.first > b.first; });
+  QString letters = letterOf(shares[0].second);
+  if (shares[0].first < kEnough) letters += letterOf(shares[1].second);
   return letters;
 }
 

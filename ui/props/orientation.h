@@ -26,8 +26,8 @@ Eigen::Vector3d directionOf(Side side);
 Eigen::Vector3d upOf(Side side);
 QString letterOf(Side side);
 
-/// The letters of a direction of W, the strongest first: "L", or "LA" where it lies between. A
-/// letter is left out where its share is small.
+/// The letters of a direction of W, the strongest first: "L", or "LA" from 45 degrees beside the
+/// axis on.
 QString lettersTowards(const Eigen::Vector3d& direction_W);
 
 /// The letters at the left, right, upper and lower edge of a picture with these axes (columns:

@@ -9,10 +9,11 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/props/orientation.h"
+
 namespace ui {
 namespace {
 
-constexpr double kSaid = 0.5;    // of a unit direction: a letter is said from 30 degrees on
 constexpr int kMostLayers = 64;  // of a slab
 
 }  // namespace
@@ -33,21 +34,9 @@ PlaneAxes axesOf(Plane plane) {
   return {back, head, left};
 }
 
-QString letterOf(const Eigen::Vector3d& direction_W) {
-  std::array<std::pair<double, QChar>, 3> parts{
-      {{direction_W.x(), direction_W.x() > 0.0 ? 'L' : 'R'},
-       {direction_W.y(), direction_W.y() > 0.0 ? 'P' : 'A'},
-       {direction_W.z(), direction_W.z() > 0.0 ? 'S' : 'I'}}};
-  std::ranges::stable_sort(
-      parts, [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
-  QString letters(parts[0].second);
-  for (std::size_t n = 1; n < parts.size(); ++n)
-    if (std::abs(parts[n].first) > kSaid * direction_W.norm()) letters += parts[n].second;
-  return letters;
-}
-
 std::array<QString, 4> lettersOf(const PlaneAxes& axes) {
-  return {letterOf(-axes.right), letterOf(axes.right), letterOf(axes.up), letterOf(-axes.up)};
+  return {lettersTowards(-axes.right), lettersTowards(axes.right), lettersTowards(axes.up),
+          lettersTowards(-axes.up)};
 }
 
 Slice::Slice() : reslice_(vtkSmartPointer<vtkImageReslice>::New()) {

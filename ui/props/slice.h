@@ -31,8 +31,6 @@ struct PlaneAxes {
 /// An oblique plane begins as an axial one.
 PlaneAxes axesOf(Plane plane);
 
-/// The letters of a direction of W: "L", or "LA" between left and front.
-QString letterOf(const Eigen::Vector3d& direction_W);
 /// The letters at the left, right, upper and lower edge.
 std::array<QString, 4> lettersOf(const PlaneAxes& axes);
 

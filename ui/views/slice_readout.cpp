@@ -26,7 +26,6 @@ QString placeWords(double mm) {
 
 constexpr int kRow = 14, kTop = 26, kGap = 8, kEdge = 5;  // px
 constexpr int kSide = 20, kObliqueSide = 28;              // px, for one letter, and for three
-constexpr int kLow = 180;  // px: a widget that is lower has one row at its foot
 constexpr double kRulerShare = 0.3, kLongestRuler = 100.0, kShortestRuler = 12.0;
 
 /// One row of the margin. Texts come from both ends, beside what stands in the middle.
@@ -127,8 +126,7 @@ QString intensityWords(double value, const haptics::Volume& volume) {
 
 QRect pictureIn(QRect widget, bool oblique) {
   const int side = oblique ? kObliqueSide : kSide;
-  const int foot = (widget.height() < kLow ? 1 : 2) * kRow + 4;
-  return widget.adjusted(side, kTop, -side, -foot);
+  return widget.adjusted(side, kTop, -side, -(2 * kRow + 4));
 }
 
 ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widget, QRect picture,
@@ -139,8 +137,7 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   const int bottom = picture.bottom() + 1;
   Row top(layout, font, {left, widget.top() + 4, width, kTop - 8}, buttons);
   Row foot(layout, font, {left, bottom + 2, width, kRow});
-  const bool low = widget.bottom() + 1 - bottom < 2 * kRow;
-  Row last(layout, font, {left, bottom + 2 + kRow, low ? 0 : width, kRow});
+  Row last(layout, font, {left, bottom + 2 + kRow, width, kRow});
   const QColor ink = style::kReadout;
 
   if (readout.sides_known) {

@@ -265,7 +265,6 @@ void Menus::setRecentPlaces(const QList<Place>& places, bool remembered) {
   QAction* forget =
       recent_->addAction(tr("&Forget recent places"), this, &Menus::forgetPlacesWanted);
   forget->setObjectName("forgetPlaces");
-  forget->setEnabled(!places.isEmpty());
 }
 
 void Menus::setPlace(const QString& path) {

@@ -143,9 +143,7 @@ void ViewActions::setColours(SurfaceColours colours) {
   if (!picture_) return;
   colouring_ = colours;
   (colours == SurfaceColours::Ivory ? ivory_ : by_value_)->setChecked(true);
-  view_.setColouring(colours == SurfaceColours::Ivory    ? Colouring{}
-                     : colours == SurfaceColours::Tissue ? Colouring::byTissue(*picture_)
-                                                         : Colouring::withVessels(*picture_));
+  view_.setColouring(Colouring::of(colours, *picture_));
 }
 
 void ViewActions::look(const ViewLook& look) {

@@ -190,6 +190,9 @@ void ViewFrame::placePointed() {
   constexpr int kClear = 24;  // px, from the pointer
   if (plate.adjusted(-kClear, -kClear, kClear, kClear).contains(mapFromGlobal(QCursor::pos())))
     plate.moveBottom(view.bottom() - 6);
+  constexpr int kOffCard = 4;
+  if (card_ != nullptr && card_->isVisible() && plate.intersects(card_->geometry()))
+    plate.moveBottom(card_->geometry().top() - kOffCard);
   pointed_->setGeometry(plate);
   pointed_->raise();
 }
@@ -315,6 +318,7 @@ void ViewFrame::keepCardClear() {
   if (card_->geometry() == place) return;
   card_->setGeometry(place);
   card_->raise();
+  placePointed();
 }
 
 }  // namespace ui

@@ -67,6 +67,7 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
   const auto remember = [this](bool remembered) {
     preferences_.present().places_remembered = remembered;
     forgetPlaces();
+    if (shared_.shown) keepPlace(shared_.shown->place);
   };
   connect(&window.menus(), &ui::Menus::rememberPlacesChanged, this, remember);
   connect(&preferences, &PreferencesController::rememberPlacesChosen, this, remember);

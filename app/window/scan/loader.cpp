@@ -102,11 +102,13 @@ Expected<datasets::SeriesVerdict> entryOf(const LoadRequest& request,
   using datasets::Verdict;
   const int count = static_cast<int>(all.size());
   if (request.series && (*request.series < 0 || *request.series >= count))
-    return refused(Error::Kind::NotFound,
-                   Loader::tr("\"%2\" has no series %1: it has %n, counted from 0.", nullptr, count)
-                       .arg(*request.series)
-                       .arg(nameOf(request)),
-                   "no-such-series");
+    return refused(
+        Error::Kind::NotFound,
+        Loader::tr("\"%2\" has %n series, and none of the number %1: the first is number 0.",
+                   nullptr, count)
+            .arg(*request.series)
+            .arg(nameOf(request)),
+        "no-such-series");
   if (request.series) return all[static_cast<std::size_t>(*request.series)];
   const bool correct = request.geometry == datasets::Geometry::Corrected;
   const auto sound = [&](const datasets::SeriesVerdict& s) {

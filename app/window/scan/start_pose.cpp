@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/window/scan/tool_place.h"
 #include "haptics/scene/legal_pose.h"
 
 namespace app {
@@ -10,6 +11,9 @@ namespace {
 
 constexpr double kStandOff = 0.008;  // m between tool and surface at the start
 constexpr double kApproach = 0.001;  // m, the step towards it
+// of the handle from the tip: out of the patient and up, on the side that the first picture is not
+// seen from, so the tool covers little and is seen from aside
+const haptics::Vec3 kHandle{-0.35, -0.85, 0.4};
 
 double nearestVoxel(const haptics::Volume& volume, const haptics::Vec3& p_W) {
   const haptics::Grid& grid = volume.grid;
@@ -46,16 +50,20 @@ std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isova
   while (depth < reach && nearestVoxel(volume, middle + inwards * depth) < isovalue) depth += step;
   if (depth >= reach) depth = 0.0;  // nothing on this line
   haptics::Pose X_WT = haptics::Pose::Identity();
+  X_WT.linear() =
+      haptics::Quat::FromTwoVectors(haptics::Vec3::UnitZ(), kHandle).toRotationMatrix();
+  const haptics::Vec3 tip = X_WT.linear() * tipOf(scene.tool);
   // from where the whole tool is in front of the surface, nearer until something would touch
-  double offset = depth - scene.tool.shell.radius - kStandOff;
+  double offset = depth - 2.0 * scene.tool.shell.radius - kStandOff;
   const auto touches = [&](double at) {
     for (const haptics::Vec3& p : scene.tool.shell.points)
-      if (nearestVoxel(volume, middle + inwards * at + p) >= isovalue) return true;
+      if (nearestVoxel(volume, middle + inwards * at + X_WT.linear() * p - tip) >= isovalue)
+        return true;
     return false;
   };
   for (; offset < depth && !touches(offset + kStandOff + kApproach); offset += kApproach) {
   }
-  X_WT.translation() = middle + inwards * offset;
+  X_WT.translation() = middle + inwards * offset - tip;
   return haptics::legalPoseNear(scene, isovalue, X_WT);
 }
 

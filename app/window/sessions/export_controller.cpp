@@ -16,7 +16,6 @@
 #include "app/window/scan/view_camera.h"
 #include "ui/dialogs/export_question.h"
 #include "ui/dialogs/save_dialog.h"
-#include "ui/overlays/measure_words.h"
 #include "ui/views/volume_view.h"
 
 namespace app {
@@ -96,7 +95,8 @@ void ExportController::askAndExport(const Exported& recording) {
                "the film shows its surface, too."),
             tr("Make the film")))
       return;
-    request.look = lookOfView();
+    request.look = lookOf(views_.look(), filmMarks(measures_.all(), measures_.scan()));
+    request.look.slices = wish->film.slices;
     const double least =
         std::min(recording.least_isovalue, request.look.second.value_or(recording.least_isovalue));
     // said once for each film, before anything is written
@@ -114,6 +114,9 @@ void ExportController::askAndExport(const Exported& recording) {
   ui::askForOutput(dialog, table != nullptr ? translated(table->filter) : tr("Film (*.mp4 *.ogv)"),
                    ending.mid(1));
   dialog.selectFile(QString::fromStdString(path.stem().string()) + ending);
+  if (table == nullptr &&
+      std::ranges::count(measures_.all(), ui::MeasureKind::Note, &ui::Measure::kind) > 0)
+    ui::addNotesWarning(dialog);
   if (dialog.exec() != QDialog::Accepted) return;
   QString out = dialog.selectedFiles().value(0);
   if (table != nullptr && !out.endsWith(ending)) out += ending;
@@ -137,20 +140,6 @@ void ExportController::askAndExport(const Exported& recording) {
                             tr("Its files are written over."), tr("Write over it")))
     return;
   exportTo(std::move(request));
-}
-
-FilmLook ExportController::lookOfView() const {
-  FilmLook look{.colours = views_.volume().surface().colouring(),
-                .second = views_.volume().surface().second(),
-                .second_opacity = views_.volume().secondOpacity()};
-  for (const ui::Measure& measure : measures_.all()) {
-    const QString value = ui::valueOf(measure, measures_.scan());
-    const QString words = QString::fromStdString(measure.text);
-    look.marks.push_back(
-        {measure.places_mm,
-         (value.isEmpty() ? words : tr("%1: %2").arg(words, value)).toStdString()});
-  }
-  return look;
 }
 
 void ExportController::exportTo(ExportRequest request) {

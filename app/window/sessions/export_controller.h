@@ -37,7 +37,6 @@ class ExportController : public QObject {
   };
   void askAndExport(const Exported& recording);
   /// The colours, the second surface and the marks of the 3-D view.
-  FilmLook lookOfView() const;
 
   ui::Views& views_;
   ui::Messages& messages_;

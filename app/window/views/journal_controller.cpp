@@ -229,6 +229,7 @@ void JournalController::forget() {
   first_ = written_ = seen_;
   in_journal_ = false;
   taken_.reset();
+  if (scan_ && isOn()) shared_.identity.seek(scan_);  // it may have come while nothing was kept
 }
 
 /// The view of the scan was saved, so it is no longer kept.

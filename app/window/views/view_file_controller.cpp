@@ -6,7 +6,6 @@
 #include <QDateTime>
 #include <QFileDialog>
 #include <QGridLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QMetaMethod>
 #include <cmath>
@@ -151,6 +150,7 @@ void ViewFileController::showScene(bool new_volume) {
     edits_in_file_.clear();
     saved_as_.clear();
     placing_ = false;
+    tool_seeker_.abandon();
   }
   if (step_ == Step::Edits && liesOnView() && hasEdits()) return restoreRest();
   if (placing_) placeTool();
@@ -393,19 +393,15 @@ bool ViewFileController::askAndSave() {
   dialog.setObjectName("saveViewDialog");
   ui::askForOutput(dialog, tr("Views (*.palpate-view)"), QString(kViewEnding).mid(1));
   dialog.selectFile(proposedName(*shared_.shown->volume()));
-  auto* words = new QLabel(tr("Notes are saved as you wrote them: do not name the patient."));
-  words->setObjectName("notesWarning");
-  words->setWordWrap(true);
+  ui::addNotesWarning(dialog);
   auto* place = new QCheckBox(tr("Remember where the scan lies, relative to this file"));
   place->setObjectName("rememberScan");
   place->setEnabled(!shared_.shown->place.empty());
   place->setToolTip(
       tr("The names of its folders are then in the file. Without it, the scan is sought among the "
          "recent places, or you choose it."));
-  if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout())) {
-    grid->addWidget(words, grid->rowCount(), 0, 1, -1);
+  if (auto* grid = qobject_cast<QGridLayout*>(dialog.layout()))
     grid->addWidget(place, grid->rowCount(), 0, 1, -1);
-  }
   if (dialog.exec() != QDialog::Accepted) return false;
   save(dialog.selectedFiles().value(0).toStdString(), place->isChecked());
   return saving_.has_value();

@@ -159,7 +159,8 @@ Expected<void> checkNumbers(const fs::path& path, const NrrdText& text, NrrdHead
 
 tl::unexpected<haptics::Error> notAPlace(const fs::path& path, std::size_t axis,
                                          const std::string& kind) {
-  return unsupported("not-scalar", {"nrrd-axis-kind", {std::to_string(axis), quoted(path), kind}});
+  return unsupported("not-scalar",
+                     {"nrrd-axis-kind", {std::to_string(axis + 1), quoted(path), kind}});
 }
 
 /// Which axes are i, j and k, and which counts the volumes.

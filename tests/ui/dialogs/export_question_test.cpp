@@ -112,7 +112,8 @@ TEST(ExportQuestion, AFilmHasCameraSizeAndFrames) {
       choice->setFocus();
       QTest::keyClick(choice, Qt::Key_Down);
     }
-    QTest::mouseClick(part<QCheckBox>(dialog, "filmFigures"), Qt::LeftButton, {}, {8, 8});
+    for (const char* name : {"filmFigures", "filmSlices"})
+      QTest::mouseClick(part<QCheckBox>(dialog, name), Qt::LeftButton, {}, {8, 8});
     type(part<QDoubleSpinBox>(dialog, "exportTo"), "10");
     const QString range = part<QLabel>(dialog, "exportRange")->text();
     EXPECT_TRUE(range.contains("600 pictures")) << range.toStdString();
@@ -126,6 +127,7 @@ TEST(ExportQuestion, AFilmHasCameraSizeAndFrames) {
   EXPECT_EQ(wish->film.height, 1080);
   EXPECT_EQ(wish->film.frames_per_second, 60);
   EXPECT_FALSE(wish->film.figures);
+  EXPECT_TRUE(wish->film.slices);
   EXPECT_EQ(wish->to, 10.0);
 }
 

@@ -269,6 +269,14 @@ TEST(Journal, ForgettingPlacesRemovesItAtOnceAndOffKeepsNothing) {
   application->marks().measures().replace(twoMarks());
   QTest::qWait(1'500);
   EXPECT_TRUE(user.works().empty());
+  // the same of a scan that came meanwhile, until it is switched on
+  emit menus.phantomWanted("sphere");
+  EXPECT_TRUE(waitFor([&] { return application->shown()->title.contains("phere"); }));
+  emit menus.rememberPlacesChanged(true);
+  application->marks().measures().replace(twoMarks());
+  user.kept(kTwoMarks);
+  emit menus.rememberPlacesChanged(false);
+  EXPECT_TRUE(user.works().empty());
   // nor where the scan is left with its marks
   const auto scene = application->shown()->scene->id;
   emit menus.phantomWanted("torus");

@@ -8,6 +8,7 @@
 #include "tests/support/turned_scan.h"
 #include "tests/unit/ui/volumes.h"
 #include "ui/controls/lengths.h"
+#include "ui/props/orientation.h"
 #include "ui/views/grey_presets.h"
 #include "ui/views/slice_readout.h"
 
@@ -147,13 +148,14 @@ TEST(Slice, ShowsNothingOfWhatACropTookAway) {
 }
 
 TEST(Slice, SaysDirectionsAsLetters) {
-  EXPECT_EQ(ui::letterOf(Vec3::UnitX()), "L");
-  EXPECT_EQ(ui::letterOf(-Vec3::UnitX()), "R");
-  EXPECT_EQ(ui::letterOf(Vec3{0.1, -0.9, 0.1}.normalized()), "A");
+  EXPECT_EQ(ui::lettersTowards(Vec3::UnitX()), "L");
+  EXPECT_EQ(ui::lettersTowards(-Vec3::UnitX()), "R");
+  EXPECT_EQ(ui::lettersTowards(Vec3{0.1, -0.9, 0.1}.normalized()), "A");
   // little beside the main one
-  EXPECT_EQ(ui::letterOf(Vec3{-0.42, 0.4, 0.8}.normalized()), "S");
-  EXPECT_EQ(ui::letterOf(Vec3{0.8, -0.6, 0.0}), "LA");
-  EXPECT_EQ(ui::letterOf(Vec3{0.5, 0.6, -0.62}.normalized()), "IPL");
+  EXPECT_EQ(ui::lettersTowards(Vec3{-0.42, 0.4, 0.8}.normalized()), "S");
+  EXPECT_EQ(ui::lettersTowards(Vec3{0.8, -0.6, 0.0}), "L");
+  EXPECT_EQ(ui::lettersTowards(Vec3{0.7, -0.7, 0.1}), "LA");
+  EXPECT_EQ(ui::lettersTowards(Vec3{0.5, 0.6, -0.62}.normalized()), "IP");
   const auto letters = ui::lettersOf(ui::axesOf(ui::Plane::Coronal));
   EXPECT_EQ(letters, (std::array<QString, 4>{"R", "L", "S", "I"}));
 }

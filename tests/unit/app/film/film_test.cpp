@@ -398,4 +398,82 @@ TEST_F(Film, ShowsTheCurveOfTheForceAndLosesNoPeak) {
   EXPECT_NEAR(highest(20), low + high * 16.0 / 20.0, 2.5);
 }
 
+TEST_F(Film, HasTheSlicesThroughTheToolBesideItTheRightWayRound) {
+  // solid to the left, in front and on top
+  constexpr std::int64_t kSide = 41;
+  haptics::Volume made = *ball();
+  auto voxels = *haptics::allocateVoxels(kSide * kSide * kSide, haptics::ScalarType::Float32);
+  for (std::int64_t n = 0; n < kSide * kSide * kSide; ++n)
+    static_cast<float*>(voxels.get())[n] =
+        n % kSide > 20 && n / kSide % kSide < 20 && n / kSide / kSide > 20 ? 100.0F : 0.0F;
+  const auto corner = std::make_shared<const haptics::Volume>(
+      *haptics::makeVolume(made.grid, haptics::ScalarType::Float32, voxels));
+  Session session;
+  session.scene = *haptics::makeScene(corner, octahedron());
+  session.step = [](std::int64_t n) {
+    Step step = stepAt(n);
+    step.X_WP = step.X_WD = at(8.0, -6.0, n < 750 ? 13.0 : -7.0);  // the tip is 3 mm lower
+    return step;
+  };
+  auto recording = recorded(scratch, session);
+  FilmOptions chosen = options();
+  chosen.width = 640;
+  chosen.height = 480;
+  chosen.look.slices = true;
+  const auto film = app::makeFilm(
+      recording, [&](std::uint32_t) { return corner; }, scratch / "f", chosen);
+  ASSERT_TRUE(film) << sentence(film.error());
+  const Decoded pictures = decoded(film->film, 640, 480);
+  ASSERT_EQ(pictures.frames.size(), 30U);
+  constexpr int kPane = 160, kMargin = 13, kPicture = kPane - 2 * kMargin;
+  const auto middleOf = [](int pane) {
+    return std::array{640 - kPane / 2, pane * kPane + kPane / 2};
+  };
+  // bright in this quarter of a pane and in no other
+  const auto solidIn = [&](std::size_t frame, int pane) {
+    std::string quarters;
+    const auto [x0, y0] = middleOf(pane);
+    for (const int y : {-1, 1})
+      for (const int x : {-1, 1}) {
+        const Colour c = pictures.pixel(frame, x0 + x * kPicture / 8, y0 + y * kPicture / 8);
+        if (c.r + c.g + c.b > 600) quarters += y < 0 ? x < 0 ? "a" : "b" : x < 0 ? "c" : "d";
+      }
+    return quarters;
+  };
+  EXPECT_EQ(solidIn(2, 0), "b");  // axial: left is at the right, the front above
+  EXPECT_EQ(solidIn(2, 1), "b");  // coronal: left, the head above
+  EXPECT_EQ(solidIn(2, 2), "a");  // sagittal: the front is at the left, the head above
+  EXPECT_EQ(solidIn(25, 0), "");  // beneath it
+  EXPECT_EQ(solidIn(25, 1), "b");
+  // the axial plane is a line in the coronal one, which goes with the tip
+  const auto redLine = [&](std::size_t frame) {
+    const auto [x0, y0] = middleOf(1);
+    for (int y = -kPicture / 2 + 2; y < kPicture / 2 - 2; ++y)
+      if (const Colour c = pictures.pixel(frame, x0 - kPicture / 3, y0 + y); c.r > c.g + 50)
+        return y;
+    return 1000;
+  };
+  const double pixels_per_mm = kPicture / 40.0 / 1.04;
+  EXPECT_NEAR(redLine(2), -10.0 * pixels_per_mm, 2.0);
+  EXPECT_NEAR(redLine(25), 10.0 * pixels_per_mm, 2.0);
+  // words in the margins
+  const auto marked = [&](int x, int y, int side) {
+    int bright = 0;
+    for (int dy = -side; dy <= side; ++dy)
+      for (int dx = -side; dx <= side; ++dx) {
+        const Colour c = pictures.pixel(2, x + dx, y + dy);
+        bright += c.r + c.g > 200;
+      }
+    return bright;
+  };
+  for (int pane = 0; pane < 3; ++pane) {
+    const auto [x0, y0] = middleOf(pane);
+    for (const int side : {-1, 1}) {
+      EXPECT_GT(marked(x0 + side * (kPane - kMargin) / 2, y0, 5), 5) << pane;
+      EXPECT_GT(marked(x0, y0 + side * (kPane - kMargin) / 2, 5), 5) << pane;
+    }
+    EXPECT_GT(marked(x0 - kPicture / 2 + 3, y0 + kPicture / 2 + 2, 3), 3) << pane;  // the bar
+  }
+}
+
 }  // namespace
