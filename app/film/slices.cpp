@@ -25,7 +25,7 @@ namespace app {
 namespace {
 
 constexpr std::array kPanes{ui::Plane::Axial, ui::Plane::Coronal, ui::Plane::Sagittal};
-constexpr int kTextOfPane = 18, kLeastText = 9;  // a pane's height in lines; px
+constexpr int kTextOfPane = 16, kLeastText = 9;  // a pane's height in lines; px
 constexpr double kRoomAroundBody = 1.04, kLongestBar = 0.3;
 constexpr double kCrossGap = 0.5, kTipRing = 0.25;  // lines of text
 
@@ -35,9 +35,10 @@ QString nameOf(ui::Plane plane) {
 }
 
 /// Text without Qt's fonts, which need a program with windows.
-QImage imageOf(const QString& text, int pixels, const QColor& colour) {
+QImage imageOf(const QString& text, int pixels, const QColor& colour, bool bold) {
   vtkNew<vtkTextProperty> look;
   look->SetFontSize(pixels);
+  look->SetBold(bold);
   look->SetColor(colour.redF(), colour.greenF(), colour.blueF());
   vtkNew<vtkImageData> drawn;
   constexpr int kDotsPerInch = 72;  // a point is a pixel
@@ -58,8 +59,8 @@ QImage imageOf(const QString& text, int pixels, const QColor& colour) {
 
 /// Writes a text about a place: `share` of it lies to the left of the place.
 void write(QPainter& painter, QPointF at, double share, const QString& text, int pixels,
-           const QColor& colour) {
-  const QImage image = imageOf(text, pixels, colour);
+           const QColor& colour, bool bold = false) {
+  const QImage image = imageOf(text, pixels, colour, bold);
   painter.drawImage(QPointF{at.x() - share * image.width(), at.y() - 0.5 * image.height()}, image);
 }
 
@@ -152,14 +153,14 @@ void FilmSlices::drawSlice(QPainter& painter, ui::Plane plane, const QRect& pane
 
   const double above = pane.top() + 0.5 * margin, below = pane.bottom() + 1 - 0.5 * margin;
   const double left = pane.left() + 0.25 * text, right = pane.right() + 1 - 0.25 * text;
-  write(painter, {left, above}, 0.0, nameOf(plane), text, ui::colourOf(plane));
+  write(painter, {left, above}, 0.0, nameOf(plane), text, ui::colourOf(plane), true);
   if (volume_->orientation_known) {
     const auto letters = ui::lettersOf(axes);
     const QColor& ink = ui::style::kLetter;
-    write(painter, {pane.left() + 0.5 * margin, centre.y()}, 0.5, letters[0], text, ink);
-    write(painter, {pane.right() + 1 - 0.5 * margin, centre.y()}, 0.5, letters[1], text, ink);
-    write(painter, {centre.x(), above}, 0.5, letters[2], text, ink);
-    write(painter, {centre.x(), below}, 0.5, letters[3], text, ink);
+    write(painter, {pane.left() + 0.5 * margin, centre.y()}, 0.5, letters[0], text, ink, true);
+    write(painter, {pane.right() + 1 - 0.5 * margin, centre.y()}, 0.5, letters[1], text, ink, true);
+    write(painter, {centre.x(), above}, 0.5, letters[2], text, ink, true);
+    write(painter, {centre.x(), below}, 0.5, letters[3], text, ink, true);
   } else {
     write(painter, {right, above}, 1.0,
           QCoreApplication::translate("ui::SliceView", "left/right unknown"), text,

@@ -23,9 +23,12 @@
 #include <vector>
 
 #include "app/window/scan/kept_phantom.h"
+#include "app/window/scan/start_pose.h"
+#include "app/window/scan/tool_place.h"
 #include "app/window/touch/measurement_controller.h"
 #include "app/window/views/picture_controller.h"
 #include "datasets/phantoms/phantoms.h"
+#include "resources/named_tools.h"
 #include "tests/ui/panelled_window.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/number_box.h"
@@ -386,6 +389,29 @@ TEST(Controllers, TheCardLeavesTheToolInSightAndFoldsToALine) {
   EXPECT_LT(card->height(), 50);
   panelled.window.views().reset();
   EXPECT_GT(card->height(), 100);
+}
+
+TEST(Controllers, TheToolWaitsInFrontOfASlabWithItsTip) {
+  const app::Loaded loaded = loadedSphere();
+  haptics::Volume slab = *loaded.volume();
+  const auto middle = static_cast<std::int64_t>(slab.grid.dims[2] / 2);
+  slab.crop = haptics::VoxelBox{{0, 0, middle - 4}, slab.grid.dims};
+  slab.crop->end[2] = middle + 4;
+  const haptics::Vec3 low = slab.grid.worldOf({0.0, 0.0, double(middle - 4)});
+  const haptics::Vec3 high = slab.grid.worldOf({0.0, 0.0, double(middle + 3)});
+  auto drill = haptics::makeTool("drill", *resources::namedToolMesh("drill"));
+  ASSERT_TRUE(drill);
+  const auto scene =
+      haptics::makeScene(std::make_shared<const haptics::Volume>(slab), std::move(*drill));
+  ASSERT_TRUE(scene);
+  const auto start = app::startPose(**scene, loaded.isovalue);
+  ASSERT_TRUE(start);
+  const haptics::Vec3 tip = *start * app::tipOf((*scene)->tool);
+  EXPECT_GT(tip.z(), low.z());
+  EXPECT_LT(tip.z(), high.z());
+  EXPECT_NEAR(tip.y(), -0.028, 0.003);  // 8 mm in front of the ball
+  for (const haptics::Vec3& p : (*scene)->tool.shell.points)
+    EXPECT_LT((*start * p).y(), -0.02);  // nothing of it is beside the ball
 }
 
 TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {

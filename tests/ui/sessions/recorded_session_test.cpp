@@ -573,6 +573,7 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
   auto* list = child<QTableWidget>(panel, "recordings");
   EXPECT_TRUE(waitFor([&] { return list->rowCount() == 1; }));
   list->selectRow(0);
+  application.marks().measures().replace({{ui::MeasureKind::Note, "thin wall", {{3, -7, 5}}}});
   // the file of that name, and one of the several
   for (const auto& [format, name, there] : {std::tuple{0, "a.csv", "a.csv"},
                                             {0, "b.csv", "b.columns.json"},
@@ -585,7 +586,7 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
     const fs::path file = fs::path(exports.path().toStdString()) / there;
     std::ofstream(file) << "mine";
     QString asked;
-    bool ended = false;
+    bool ended = false, warned = false;
     QTimer answers;
     QObject::connect(&answers, &QTimer::timeout, [&, format = format, name = name] {
       QWidget* dialog = QApplication::activeModalWidget();
@@ -598,6 +599,7 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
         ended = true;
       } else if (auto* where = qobject_cast<QFileDialog*>(dialog)) {
         if (ended) return where->reject();
+        warned = where->findChild<QLabel*>("notesWarning") != nullptr;
         where->findChild<QLineEdit*>("fileNameEdit")->setText(exports.filePath(name));
         QMetaObject::invokeMethod(where, "accept", Qt::QueuedConnection);
       }
@@ -607,6 +609,7 @@ TEST(RecordedSession, AnExportAsksBeforeItWritesOverAnyOfItsFiles) {
     EXPECT_TRUE(waitFor([&] { return ended && QApplication::activeModalWidget() == nullptr; }))
         << there;
     EXPECT_FALSE(asked.isEmpty()) << there;
+    EXPECT_EQ(warned, format == 4) << there;  // a film shows notes
     EXPECT_EQ(fs::file_size(file), 4U) << there;
     EXPECT_FALSE(application.exporting().task().isRunning()) << there;
   }

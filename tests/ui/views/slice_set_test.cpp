@@ -33,11 +33,13 @@
 #include "tests/ui/window_support.h"
 #include "ui/controls/lengths.h"
 #include "ui/overlays/overlay.h"
+#include "ui/panels/force_panel.h"
 #include "ui/views/plane_colours.h"
 #include "ui/views/slice_readout.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/touch_state.h"
+#include "ui/window/view_frame.h"
 #include "ui/window/view_layout.h"
 #include "ui/window/views.h"
 
@@ -505,6 +507,39 @@ TEST(Slices, TheSpaceViewSaysValueAndPlaceUnderThePointerToo) {
   QEvent leave(QEvent::Leave);
   QCoreApplication::sendEvent(&view, &leave);
   EXPECT_TRUE(window::waitFor([&] { return !plate->isVisible(); }));
+}
+
+TEST(Slices, ThePlateUnderThePointerKeepsOffTheCard) {
+  auto* view = new QWidget;
+  view->setMinimumSize(200, 150);
+  ui::ViewFrame frame(view, Qt::gray, false);
+  auto* card = new ui::ForcePanel;
+  frame.setCard(*card, [](const QRect& part) { return part.left() > 200; });
+  frame.resize(700, 500);
+  frame.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&frame));
+  frame.keepCardClear();
+  ASSERT_LT(card->x(), 100);  // in the lower left corner
+  ASSERT_GT(card->y(), 200);
+  const auto* plate = frame.findChild<QLabel*>("pointed");
+  QCursor::setPos(frame.mapToGlobal(QPoint{30, 20}));  // so the plate goes down
+  frame.setPointed("312 HU   L 1.0  A 14.0  S 2.0 mm");
+  ASSERT_TRUE(plate->isVisible());
+  EXPECT_GT(plate->y(), 100);
+  EXPECT_FALSE(plate->geometry().intersects(card->geometry()));
+  EXPECT_TRUE(view->geometry().contains(plate->geometry()));
+}
+
+TEST(Slices, ALowViewHasItsScaleAndItsPlace) {
+  const ui::SliceReadout readout{.name = "Coronal",
+                                 .place = "12 / 32   P 3.0 mm",
+                                 .grey = "W 400  L 40",
+                                 .letters = {"R", "L", "S", "I"}};
+  const QRect widget(0, 0, 320, 150);
+  const auto layout =
+      ui::layOut(readout, QApplication::font(), widget, ui::pictureIn(widget, false), 92, 1.0);
+  EXPECT_TRUE(layout.ruler.has_value());
+  EXPECT_EQ(std::ranges::count(layout.texts, "P 3.0 mm", &ui::ReadoutText::text), 1);
 }
 
 TEST(Slices, FitTheBodyAtFirstByKeyAndByButton) {

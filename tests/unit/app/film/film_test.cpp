@@ -425,7 +425,7 @@ TEST_F(Film, HasTheSlicesThroughTheToolBesideItTheRightWayRound) {
   ASSERT_TRUE(film) << sentence(film.error());
   const Decoded pictures = decoded(film->film, 640, 480);
   ASSERT_EQ(pictures.frames.size(), 30U);
-  constexpr int kPane = 160, kMargin = 13, kPicture = kPane - 2 * kMargin;
+  constexpr int kPane = 160, kMargin = 15, kPicture = kPane - 2 * kMargin;
   const auto middleOf = [](int pane) {
     return std::array{640 - kPane / 2, pane * kPane + kPane / 2};
   };
@@ -449,7 +449,7 @@ TEST_F(Film, HasTheSlicesThroughTheToolBesideItTheRightWayRound) {
   const auto redLine = [&](std::size_t frame) {
     const auto [x0, y0] = middleOf(1);
     for (int y = -kPicture / 2 + 2; y < kPicture / 2 - 2; ++y)
-      if (const Colour c = pictures.pixel(frame, x0 - kPicture / 3, y0 + y); c.r > c.g + 50)
+      if (const Colour c = pictures.pixel(frame, x0 - kPicture / 3, y0 + y); c.r > c.g + 20)
         return y;
     return 1000;
   };
