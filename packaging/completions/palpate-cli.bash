@@ -100,6 +100,7 @@ _palpate_cli() {
     "export --speed") compopt -o default; return ;;
     "export --camera") mapfile -t COMPREPLY < <(compgen -W "recorded fixed" -- "$word"); return ;;
     "export --surface") mapfile -t COMPREPLY < <(compgen -W "raycast mesh" -- "$word"); return ;;
+    "export --view") compopt -o default; return ;;
     "study accuracy --seed") compopt -o default; return ;;
     "study accuracy --shard") compopt -o default; return ;;
     "study accuracy --out") compopt -o default; return ;;
@@ -124,7 +125,7 @@ _palpate_cli() {
     "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
     "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "surface") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --isovalue --out --frame --largest --view --json" -- "$word") ;;
-    "export") mapfile -t COMPREPLY < <(compgen -W "-h --help --format --out --from --to --rate --no-contacts --volume --phantom --series --correct --largest-part --every --box --size --fps --speed --burn-in --camera --surface --json" -- "$word") ;;
+    "export") mapfile -t COMPREPLY < <(compgen -W "-h --help --format --out --from --to --rate --no-contacts --volume --phantom --series --correct --largest-part --every --box --size --fps --speed --burn-in --camera --surface --slices --view --json" -- "$word") ;;
     "study") mapfile -t COMPREPLY < <(compgen -W "accuracy stability plan merge -h --help" -- "$word") ;;
     "study accuracy") mapfile -t COMPREPLY < <(compgen -W "-h --help --quick --seed --shard --out --json" -- "$word") ;;
     "study stability") mapfile -t COMPREPLY < <(compgen -W "-h --help --quick --seed --shard --out --json" -- "$word") ;;

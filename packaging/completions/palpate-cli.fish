@@ -126,6 +126,8 @@ complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l speed -r -F -
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l burn-in -d 'Show time, force and its curve in the picture'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l camera -x -a 'recorded fixed' -d 'recorded, or fixed - a view of surface and tool'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l surface -x -a 'raycast mesh' -d 'How the surface is drawn'
+complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l slices -d 'Show the three slices through the tool beside it'
+complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l view -r -F -d 'Show marks, second surface and colours of this saved view, NAME.palpate-view; with --camera fixed, from where it looks'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l json -d 'Print one JSON object and nothing else'
 complete -c palpate-cli -n '__fish_seen_subcommand_from study; and not __fish_seen_subcommand_from accuracy stability plan merge' -f -a accuracy -d 'Error against run time'
 complete -c palpate-cli -n '__fish_seen_subcommand_from study; and not __fish_seen_subcommand_from accuracy stability plan merge' -f -a stability -d 'Numerical stability on stiff and extreme cases'

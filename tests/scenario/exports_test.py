@@ -419,8 +419,10 @@ def is_one_table(folder, recording, truth):
     explained = json.load(open(whole("csv", out)[1], encoding="utf-8"))
     check(list(explained["columns"]) == names, "the dictionary's columns are not the table's")
     check(all(c["meaning"] for c in explained["columns"].values()), "a column without a meaning")
-    meanings = [c["meaning"] for name, c in explained["columns"].items() if name.endswith(("_x", "_quat_w"))]
-    check(len(set(meanings)) == len(meanings), f"columns that mean the same: {meanings}")
+    meanings = {explained["columns"][f"{point}_{part}"]["meaning"]
+                for point in ("device", "proxy") for part in ("x", "quat_w")}
+    check(len(meanings) == 4, f"columns that mean the same: {meanings}")
+    check(all(not re.match("[A-Z] ", c["meaning"]) for c in explained["columns"].values()), "a unit with a capital")
     units = {name: c.get("unit") for name, c in explained["columns"].items()}
     for name, unit in (("time_s", "s"), ("device_x", "m"), ("proxy_z", "m"), ("proxy_quat_w", None), ("force_z", "N"),
                        ("torque_y", "N.m")):

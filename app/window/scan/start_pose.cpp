@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kStandOff = 0.008;  // m between tool and surface at the start
 constexpr double kApproach = 0.001;  // m, the step towards it
-// of the handle from the tip: out of the patient and up, on the side that the first picture is not
-// seen from, so the tool covers little and is seen from aside
-const haptics::Vec3 kHandle{-0.35, -0.85, 0.4};
+// of the handle from the tip: out of the patient and up, towards where the first picture is seen
+// from, but enough beside it that the tool is seen whole
+const haptics::Vec3 kHandle{0.0, -0.85, 0.6};
 
 double nearestVoxel(const haptics::Volume& volume, const haptics::Vec3& p_W) {
   const haptics::Grid& grid = volume.grid;

@@ -555,6 +555,13 @@ TEST(ViewFiles, TheToolOfAFileIsFoundByItsHash) {
   EXPECT_TRUE(later.open(path));
   EXPECT_TRUE(waitFor([&] { return wanted.file == tool; }));
   EXPECT_EQ(wanted.unit, "cm");
+  // the search ends when another volume comes
+  wanted = {};
+  QObject::connect(&later.files, &app::ViewFileController::finished,
+                   [&] { later.files.showScene(true); });
+  EXPECT_TRUE(later.open(path));
+  QTest::qWait(200);
+  EXPECT_FALSE(wanted.file);
 }
 
 TEST(ViewFiles, SavingAgainAsksNothingAndTheFirstNameNamesNobody) {
