@@ -14,6 +14,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import resource
 import shutil
 import signal
