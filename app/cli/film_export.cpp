@@ -19,7 +19,6 @@
 #include "app/recording/replay.h"
 #include "app/view_file/view_file.h"
 #include "haptics/field/scalar_field.h"
-#include "ui/overlays/measure_words.h"
 
 namespace app::cli {
 namespace {
