@@ -305,13 +305,13 @@ EditWatch partOf(const EditWatch& watch, double from, double until) {
 
 haptics::Expected<Surface> Surface::of(std::shared_ptr<const haptics::Volume> volume,
                                        double isovalue, bool largest, const EditWatch& watch) {
-  const auto refusal = [&](const char* id) {
+  const std::string least = shown(volume->least), greatest = shown(volume->greatest);
+  const auto refusal = [](haptics::Message message) {
     return tl::unexpected(
-        haptics::Error{haptics::Error::Kind::Unsupported,
-                       {id, {shown(isovalue), shown(volume->least), shown(volume->greatest)}},
-                       "nothing"});
+        haptics::Error{haptics::Error::Kind::Unsupported, std::move(message), "nothing"});
   };
-  if (isovalue <= volume->least) return refusal("surface-all-solid");
+  if (isovalue <= volume->least)
+    return refusal({"surface-all-solid", {shown(isovalue), least, greatest}});
   Surface surface;
   surface.volume_ = volume;
   surface.isovalue_ = isovalue;
@@ -324,7 +324,7 @@ haptics::Expected<Surface> Surface::of(std::shared_ptr<const haptics::Volume> vo
     return tl::unexpected(editCancelled());
   surface.corners_ = count.corners;
   surface.triangles_ = count.triangles;
-  if (count.triangles == 0) return refusal("surface-none");
+  if (count.triangles == 0) return refusal({"surface-none", {shown(isovalue), least, greatest}});
   surface.corner_letters_ = double(count.letters) / double(count.sampled);
   return surface;
 }
