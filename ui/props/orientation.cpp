@@ -64,15 +64,15 @@ QString letterOf(Side side) {
 }
 
 QString lettersTowards(const Eigen::Vector3d& direction_W) {
-  std::vector<std::pair<double, Side>> shares;
-  for (const Side side : kSides) {
-    const double share = directionOf(side).dot(direction_W.normalized());
-    shares.emplace_back(share, side);
-  }
-  std::ranges::stable_sort(shares, [](const auto& a, const auto& b) { return a.first > b.first; });
-  QString letters = letterOf(shares[0].second);
-  if (shares[0].first < kEnough) letters += letterOf(shares[1].second);
-  return letters;
+  const Eigen::Vector3d d = direction_W.normalized();
+  std::array<std::pair<double, Side>, 3> parts{
+      {{d.x(), d.x() > 0.0 ? Side::Left : Side::Right},
+       {d.y(), d.y() > 0.0 ? Side::Posterior : Side::Anterior},
+       {d.z(), d.z() > 0.0 ? Side::Superior : Side::Inferior}}};
+  std::ranges::stable_sort(
+      parts, [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+  const QString first = letterOf(parts[0].second);
+  return std::abs(parts[0].first) < kEnough ? first + letterOf(parts[1].second) : first;
 }
 
 std::array<QString, 4> edgeLettersOf(const Eigen::Matrix3d& axes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/scan/start_pose.h"
 
+#include <array>
 #include <cmath>
 
 #include "app/window/scan/tool_place.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kStandOff = 0.008;  // m between tool and surface at the start
 constexpr double kApproach = 0.001;  // m, the step towards it
+constexpr std::array kAbout{-0.02, -0.01, 0.0, 0.01, 0.02};  // m, beside the line
 // of the handle from the tip: out of the patient and up, towards where the first picture is seen
 // from, but enough beside it that the tool is seen whole
 const haptics::Vec3 kHandle{0.0, -0.85, 0.6};
@@ -46,12 +48,16 @@ std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isova
   const double step = 0.5 * grid.spacing.minCoeff();
   // from the front of the patient (-y of LPS) inwards
   const haptics::Vec3 inwards = haptics::Vec3::UnitY();
-  double depth = -reach;
-  while (depth < reach && nearestVoxel(volume, middle + inwards * depth) < isovalue) depth += step;
-  if (depth >= reach) depth = 0.0;  // nothing on this line
+  // what is nearest to the front about the line, so that the tip waits in no hollow
+  double depth = reach;
+  for (const double x : kAbout)
+    for (const double z : kAbout)
+      for (double at = -reach; at < depth; at += step)
+        if (nearestVoxel(volume, middle + inwards * at + haptics::Vec3{x, 0.0, z}) >= isovalue)
+          depth = at;
+  if (depth >= reach) depth = 0.0;  // nothing there
   haptics::Pose X_WT = haptics::Pose::Identity();
-  X_WT.linear() =
-      haptics::Quat::FromTwoVectors(haptics::Vec3::UnitZ(), kHandle).toRotationMatrix();
+  X_WT.linear() = haptics::Quat::FromTwoVectors(haptics::Vec3::UnitZ(), kHandle).toRotationMatrix();
   const haptics::Vec3 tip = X_WT.linear() * tipOf(scene.tool);
   // from where the whole tool is in front of the surface, nearer until something would touch
   double offset = depth - 2.0 * scene.tool.shell.radius - kStandOff;
