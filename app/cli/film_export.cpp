@@ -125,7 +125,8 @@ Outcome exportFilm(const FilmChoice& choice) {
   options.look.slices = choice.slices;
   if (face)
     tell(
-        "At this isovalue skin is drawn, and a face can tell who the patient is: look at the film "
+        "At this isovalue skin may be drawn, and a face can tell who the patient is: look at the "
+        "film "
         "before you pass it on.");
   if (!options.look.marks.empty())
     tell("Notes are shown as they were written: look whether they name somebody.");

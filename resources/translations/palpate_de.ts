@@ -828,10 +828,6 @@
         <translation>Der Kopf von %1 legt die Voxel zweimal fest, durch qform und durch sform, und nicht gleich; exportieren Sie die Datei mit einem davon.</translation>
     </message>
     <message>
-        <source>Axis %1 of %2, counted from 0, is of kind %3 and holds no places; export a volume of three axes and one value per voxel.</source>
-        <translation>Achse %1 von %2, von 0 an gezählt, ist von der Art %3 und enthält keine Orte; exportieren Sie ein Volumen mit drei Achsen und einem Wert je Voxel.</translation>
-    </message>
-    <message>
         <source>The header of %1 calls %2 of its four axes places, by direction or by kind; export it with three of them and one that counts volumes.</source>
         <translation>Der Kopf von %1 nennt %2 seiner vier Achsen Orte, nach Richtung oder Art; exportieren Sie die Datei mit dreien davon und einer, die Volumen zählt.</translation>
     </message>
@@ -1667,6 +1663,14 @@
         <source>Volume %1 of %2. %3</source>
         <translation>Volumen %1 von %2. %3</translation>
     </message>
+    <message>
+        <source>At the isovalue %1 the whole scan is solid, and its surface is a box; choose an isovalue above %2, the least value of the scan, up to %3, the greatest.</source>
+        <translation>Beim Isowert %1 ist der ganze Scan fest, und seine Oberfläche ist ein Quader; wählen Sie einen Isowert über %2, dem kleinsten Wert des Scans, bis %3, dem größten.</translation>
+    </message>
+    <message>
+        <source>Axis %1 of %2, counted from 1, is of kind %3 and holds no places; export a volume of three axes and one value per voxel.</source>
+        <translation>Achse %1 von %2, von 1 an gezählt, ist von der Art %3 und enthält keine Orte; exportieren Sie ein Volumen mit drei Achsen und einem Wert je Voxel.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -2027,12 +2031,16 @@
         <translation>Die Aufzeichnung wird gelesen</translation>
     </message>
     <message>
-        <source>The skin is drawn at this isovalue, and a face can be recognised. Raise the isovalue to bone, or give the film only to people with permission to see it.</source>
-        <translation>Bei diesem Isowert wird die Haut gezeichnet, und ein Gesicht kann erkannt werden. Erhöhen Sie den Isowert auf Knochen, oder geben Sie den Film nur Personen, die ihn sehen dürfen.</translation>
+        <source>This film will show the tool alone.</source>
+        <translation>Dieser Film wird nur das Werkzeug zeigen.</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <source>The recording is of another scan than the one on view. Open its scan first, and the film shows its surface, too.</source>
+        <translation>Die Aufzeichnung gehört zu einem anderen Scan als dem gezeigten. Öffnen Sie zuerst deren Scan, dann zeigt der Film auch dessen Oberfläche.</translation>
+    </message>
+    <message>
+        <source>At this isovalue skin may be drawn, and a face can be recognised. Choose an isovalue of bone, or give the film only to people with permission to see it.</source>
+        <translation>Bei diesem Isowert kann Haut gezeichnet sein, und ein Gesicht ist zu erkennen. Wählen Sie einen Isowert von Knochen, oder geben Sie den Film nur Personen, die ihn sehen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -2051,6 +2059,10 @@
     <message>
         <source>%1 s   %2 N</source>
         <translation>%1 s   %2 N</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2212,13 +2224,6 @@
         <translation>%1 Voxel haben Bits jenseits derer, die die Dateien als gespeichert angeben; ihre Werte können falsch sein.</translation>
     </message>
     <message numerus="yes">
-        <source>&quot;%2&quot; has no series %1: it has %n, counted from 0.</source>
-        <translation>
-            <numerusform>„%2“ hat keine Serie %1: Es gibt %n, von 0 an gezählt.</numerusform>
-            <numerusform>„%2“ hat keine Serie %1: Es gibt %n, von 0 an gezählt.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>&quot;%1&quot; has %n series; choose one that can be loaded.</source>
         <translation>
             <numerusform>„%1“ hat %n Serie; wählen Sie eine, die sich laden lässt.</numerusform>
@@ -2228,6 +2233,13 @@
     <message>
         <source>The isovalue is %1 instead of %2: the values of this volume are between %3 and %4.</source>
         <translation>Der Isowert ist %1 und nicht %2: Die Werte dieses Volumens liegen zwischen %3 und %4.</translation>
+    </message>
+    <message numerus="yes">
+        <source>&quot;%2&quot; has %n series, and none of the number %1: the first is number 0.</source>
+        <translation>
+            <numerusform>„%2“ hat %n Serie, und keine mit der Nummer %1: die erste hat die Nummer 0.</numerusform>
+            <numerusform>„%2“ hat %n Serien, und keine mit der Nummer %1: die erste hat die Nummer 0.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2548,10 +2560,6 @@
         <translation>Diese Oberfläche zeigt vielleicht ein Gesicht.</translation>
     </message>
     <message>
-        <source>It has the skin, and a face can be recognised. Raise the isovalue to bone, or give the file only to people with permission to see it.</source>
-        <translation>Sie hat die Haut, und ein Gesicht kann erkannt werden. Heben Sie den Isowert auf Knochen an, oder geben Sie die Datei nur Personen, die sie sehen dürfen.</translation>
-    </message>
-    <message>
         <source>Export the surface</source>
         <translation>Oberfläche exportieren</translation>
     </message>
@@ -2574,6 +2582,10 @@
     <message>
         <source>&quot;%1&quot; was exported.</source>
         <translation>„%1“ wurde exportiert.</translation>
+    </message>
+    <message>
+        <source>It may have skin, and a face can be recognised. Choose an isovalue of bone, or give the file only to people with permission to see it.</source>
+        <translation>Sie kann Haut haben, und ein Gesicht ist zu erkennen. Wählen Sie einen Isowert von Knochen, oder geben Sie die Datei nur Personen, die sie sehen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -2722,10 +2734,6 @@
         <translation>Schnittbilder zeigen die Haut, und ein Profil kann erkannt werden. Machen Sie ein Bild der 3-D-Ansicht allein beim Isowert von Knochen, oder geben Sie dieses nur Personen, die es sehen dürfen.</translation>
     </message>
     <message>
-        <source>The skin is drawn at this isovalue, and a face can be recognised. Raise the isovalue to bone, or give the picture only to people with permission to see it.</source>
-        <translation>Bei diesem Isowert wird die Haut gezeichnet, und ein Gesicht kann erkannt werden. Erhöhen Sie den Isowert auf Knochen, oder geben Sie das Bild nur Personen, die es sehen dürfen.</translation>
-    </message>
-    <message>
         <source>3-D view</source>
         <translation>3-D-Ansicht</translation>
     </message>
@@ -2736,6 +2744,10 @@
     <message>
         <source>The tool does not fit where it was: it stays where it is.</source>
         <translation>Das Werkzeug passt nicht dorthin, wo es war: es bleibt, wo es ist.</translation>
+    </message>
+    <message>
+        <source>At this isovalue skin may be drawn, and a face can be recognised. Choose an isovalue of bone, or give the picture only to people with permission to see it.</source>
+        <translation>Bei diesem Isowert kann Haut gezeichnet sein, und ein Gesicht ist zu erkennen. Wählen Sie einen Isowert von Knochen, oder geben Sie das Bild nur Personen, die es sehen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -2823,10 +2835,6 @@
     <message>
         <source>Views (*.palpate-view)</source>
         <translation>Ansichten (*.palpate-view)</translation>
-    </message>
-    <message>
-        <source>Notes are saved as you wrote them: do not name the patient.</source>
-        <translation>Notizen werden so gespeichert, wie Sie sie geschrieben haben: Nennen Sie den Patienten nicht.</translation>
     </message>
     <message>
         <source>Remember where the scan lies, relative to this file</source>
@@ -3738,6 +3746,14 @@
     <message>
         <source>The 3-D view, with its colours, second surface and marks as now.</source>
         <translation>Die 3-D-Ansicht mit Farben, zweiter Oberfläche und Marken wie jetzt.</translation>
+    </message>
+    <message>
+        <source>Show the slices through the tool beside it</source>
+        <translation>Die Schichten durch das Werkzeug daneben zeigen</translation>
+    </message>
+    <message>
+        <source>The film then has the axial, coronal and sagittal slice in a column at its right</source>
+        <translation>Der Film hat dann rechts in einer Spalte die axiale, koronale und sagittale Schicht</translation>
     </message>
 </context>
 <context>
@@ -6232,6 +6248,13 @@
     <message>
         <source>Click or drag to choose the time; point at an event for its name</source>
         <translation>Klicken oder ziehen Sie, um die Zeit zu wählen; zeigen Sie auf ein Ereignis, um seinen Namen zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SaveDialog</name>
+    <message>
+        <source>Notes are saved as you wrote them: do not name the patient.</source>
+        <translation>Notizen werden so gespeichert, wie Sie sie schreiben: Nennen Sie den Patienten nicht.</translation>
     </message>
 </context>
 <context>

@@ -50,7 +50,7 @@ void SurfaceController::ask() {
       (!shows_a_face ||
        messages_.askWhether(
            tr("This surface may show a face."),
-           tr("It has the skin, and a face can be recognised. Raise the isovalue to bone, or give "
+           tr("It may have skin, and a face can be recognised. Choose an isovalue of bone, or give "
               "the file only to people with permission to see it."),
            tr("Export the surface"))))
     write(dialog.wish());

@@ -103,8 +103,8 @@ void ExportController::askAndExport(const Exported& recording) {
     if (shared_.shown && !shared_.shown->place.empty() && mayShowAFace(*request.volume, least) &&
         !messages_.askWhether(
             tr("This film may show a face."),
-            tr("The skin is drawn at this isovalue, and a face can be recognised. Raise the "
-               "isovalue to bone, or give the film only to people with permission to see it."),
+            tr("At this isovalue skin may be drawn, and a face can be recognised. Choose an "
+               "isovalue of bone, or give the film only to people with permission to see it."),
             tr("Make the film")))
       return;
   }

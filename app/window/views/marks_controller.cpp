@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "app/log/log.h"
 #include "app/recording/recording.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/touched_surface.h"
@@ -78,6 +79,7 @@ void MarksController::connectPanel() {
   connect(&measures_, &Measures::selectionChanged, panel_, &MarksPanel::select);
   connect(&measures_, &Measures::placingChanged, panel_, &MarksPanel::showPlacing);
   connect(&measures_, &Measures::placed, this, [this](int index) {
+    log::write(log::Level::Info, "mark-placed");
     if (measures_.all()[static_cast<std::size_t>(index)].kind != ui::MeasureKind::Note) return;
     // its words are typed in the list
     panels_.reveal(panel_);
