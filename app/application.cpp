@@ -341,6 +341,10 @@ void Application::Parts::wireTouch() {
   connect(&hand, &HandController::lookWanted, &picture, &PictureController::look);
   connect(&hand, &HandController::replayEndWanted, &replay, &ReplayController::close);
   connect(&view, &ViewController::toolPlaced, &hand, &HandController::bring);
+  connect(&view, &ViewController::toolLifted, &hand, &HandController::lift);
+  connect(&edit, &EditController::liftWanted, &view, &ViewController::liftTool);
+  connect(&hand, &HandController::changed, &edit,
+          [this] { edit.setDeviceHeld(hand.holdsDevice()); });
   connect(&edit, &EditController::noted, &recording,
           [this](const QString& what) { recording.note("edit", what); });
 }

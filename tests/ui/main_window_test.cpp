@@ -40,6 +40,7 @@
 #include "ui/panels/isosurface_panel.h"
 #include "ui/style/style.h"
 #include "ui/views/volume_view.h"
+#include "ui/window/loading.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
 #include "ui/window/top_bar.h"
@@ -243,6 +244,32 @@ TEST(MainWindow, WhatWasWrittenIsToldApartFromAWarningAndShowsItsFolder) {
   window.messages().showDone("Saved.", "/tmp");
   window.messages().clear();
   EXPECT_FALSE(done->isVisible());
+}
+
+TEST(MainWindow, WorkBehindOtherWorkIsShownUntilItEnds) {
+  ui::MainWindow window;
+  window.show(ui::pictureOf(window::volumeOf(window::cubeGrid(16), haptics::ScalarType::Int16,
+                                             [](const Vec3&) { return 0.0; })),
+              50.0, "Scan");
+  window::showAndWait(window, {1240, 840});
+  ui::Loading& loading = window.loading();
+  const auto says = [&](const QString& words) {
+    return loading.isVisible() &&
+           std::ranges::any_of(loading.findChildren<QLabel*>(),
+                               [&](const QLabel* label) { return label->text() == words; });
+  };
+  loading.setBehind("Exporting");
+  EXPECT_TRUE(says("Exporting"));
+  loading.begin("Saving the view");
+  loading.advanceBehind(0.5);
+  EXPECT_TRUE(says("Saving the view"));
+  loading.end();
+  EXPECT_TRUE(says("Exporting"));
+  loading.begin("Editing");
+  loading.setBehind({});
+  EXPECT_TRUE(says("Editing"));
+  loading.end();
+  EXPECT_FALSE(loading.isVisible());
 }
 
 TEST(MainWindow, SaysForceAndServoAndPlotsThem) {

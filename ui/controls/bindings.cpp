@@ -604,7 +604,8 @@ QString placeOf(const Binding& binding) {
   }
   if (!binding.mode) return place;
   return *binding.mode == MouseMode::Look ? bindingWords("%1, looking").arg(place)
-                                          : bindingWords("%1, mouse as hand").arg(place);
+                                          : bindingWords("%1, while the mouse has the tool (%2)")
+                                                .arg(place, keyOf(Action::TakeTool));
 }
 
 QString wordsOf(const Binding& binding) { return bindingWords(binding.words); }

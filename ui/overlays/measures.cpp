@@ -238,13 +238,13 @@ void Measures::select(int index) {
 
 void Measures::setPlacing(std::optional<MeasureKind> kind) {
   if (kind && (all_.size() >= kMost || scan_.grid.dims[0] == 0)) kind.reset();
-  const bool drawn = !begun_.places_mm.empty();
+  const bool other = !begun_.places_mm.empty() || kind != placing_;
   begun_ = {};
   next_mm_.reset();
   placing_ = kind;
   if (kind) begun_.kind = *kind;
   emit placingChanged(kind ? static_cast<int>(*kind) : -1);
-  if (drawn) emit changed();
+  if (other) emit changed();  // the hint, too
 }
 
 void Measures::setTravel(const std::optional<Travel>& travel) {

@@ -16,6 +16,7 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/controls/bindings.h"
 #include "ui/controls/number_box.h"
@@ -33,6 +34,10 @@ QLabel* hintLabel(const QString& words) {
   auto* hint = new QLabel(words);
   hint->setWordWrap(true);
   hint->setTextFormat(Qt::PlainText);
+  // a long word does not widen the panel
+  QSizePolicy policy = hint->sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Ignored);
+  hint->setSizePolicy(policy);
   return hint;
 }
 
@@ -115,7 +120,7 @@ EditPanel::EditPanel(QWidget* parent)
   auto* steps = new QHBoxLayout;
   steps->setSpacing(4);
   for (QPushButton* button : {undo_, redo_, reset_}) steps->addWidget(button);
-  steps->addWidget(steps_, 1);
+  steps->addStretch(1);
   connect(undo_, &QPushButton::clicked, this, &EditPanel::undoWanted);
   connect(redo_, &QPushButton::clicked, this, &EditPanel::redoWanted);
   connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
@@ -139,6 +144,7 @@ EditPanel::EditPanel(QWidget* parent)
   column->addWidget(preview_ = previewBar());
   column->addWidget(wait_);
   column->addLayout(steps);
+  column->addWidget(steps_);
   setFocusProxy(tools_->button(static_cast<int>(EditTool::Crop)));
   show(EditSteps{});
   show(std::nullopt, 0);
@@ -335,7 +341,9 @@ QFrame* EditPanel::previewBar() {
   connect(remove_piece_, &QPushButton::clicked, this, &EditPanel::removePieceWanted);
   connect(remove_, &QPushButton::clicked, this, &EditPanel::removalWanted);
   connect(cancel, &QPushButton::clicked, this, &EditPanel::previewCancelled);
-  // of a piece two buttons and Cancel below, else Remove and Cancel
+  // of a piece two buttons and Cancel below, else Remove and Cancel; as wide in either case
+  remove_->setMinimumWidth(keep_->minimumWidth());
+  cancel->setMinimumWidth(std::max(cancel->minimumWidth(), remove_piece_->minimumWidth()));
   auto* buttons = new QGridLayout;
   buttons->setSpacing(4);
   buttons->addWidget(keep_, 0, 0);
@@ -447,6 +455,14 @@ bool EditPanel::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+/// Also of what is hidden now: the panel is as wide when it is said.
+QSize EditPanel::minimumSizeHint() const {
+  QSize least = QWidget::minimumSizeHint();
+  for (const QWidget* part : std::initializer_list<const QWidget*>{preview_, wait_})
+    least.setWidth(std::max(least.width(), part->minimumSizeHint().width()));
+  return least;
+}
+
 void EditPanel::hidePreview() { preview_->hide(); }
 
 void EditPanel::show(const EditSteps& steps) {
@@ -456,6 +472,7 @@ void EditPanel::show(const EditSteps& steps) {
   steps_->setText(steps.in_force == 0   ? QString()
                   : steps.in_force == 1 ? tr("1 edit")
                                         : tr("%L1 edits").arg(steps.in_force));
+  steps_->setVisible(steps.in_force > 0);
 }
 
 void EditPanel::showWait(const QString& sentence) {

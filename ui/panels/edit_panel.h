@@ -67,6 +67,7 @@ class EditPanel : public QWidget {
   void show(const EditSteps& steps);
   /// A sentence that stands until the wait is over or cancelled; empty: nothing waits.
   void showWait(const QString& sentence);
+  QSize minimumSizeHint() const override;
   /// mm; none: through everything.
   std::optional<double> depth_mm() const;
   bool cutsInside() const;

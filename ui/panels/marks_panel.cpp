@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/marks_panel.h"
 
+#include <QAbstractItemDelegate>
 #include <QAction>
 #include <QApplication>
 #include <QGridLayout>
@@ -122,6 +123,7 @@ void MarksPanel::buildList() {
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(MarkText, QHeaderView::Stretch);
   list_->installEventFilter(this);
+  connect(list_->itemDelegate(), &QAbstractItemDelegate::closeEditor, this, &MarksPanel::typed);
   whenKeysChange(*list_, [this] {
     list_->setToolTip(tr("%1 shows the place, %2 renames, %3 deletes")
                           .arg(keyOf(Action::GoToMark), keyOf(Action::RenameMark),

@@ -55,6 +55,8 @@ class MarksPanel : public QWidget {
   void restoreWanted();
   /// The user starts, or starts again, to measure the tool's way; false: ends it.
   void travelWanted(bool measure);
+  /// The field in which a text was typed is closed.
+  void typed();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

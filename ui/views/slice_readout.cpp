@@ -96,19 +96,17 @@ double rulerLength_mm(double longest_mm) {
   return decade;
 }
 
-QString positionWords(const Eigen::Vector3d& p_W_mm, int axis, bool sides_known) {
-  static constexpr std::array<const char*, 3> kUp{"L", "P", "S"}, kDown{"R", "A", "I"},
-      kAxis{"x", "y", "z"};
-  const auto a = static_cast<std::size_t>(axis);
-  const double mm = p_W_mm[axis];
-  if (!sides_known) return QStringLiteral("%1 %2").arg(kAxis[a], placeWords(mm));
-  return QStringLiteral("%1 %2").arg(mm >= 0.0 ? kUp[a] : kDown[a], placeWords(std::abs(mm)));
+QString positionWords(const Eigen::Vector3d& p_W_mm, int axis) {
+  return QStringLiteral("%1 %2").arg(QChar('x' + axis), placeWords(p_W_mm[axis]));
 }
 
 QString positionWords(const Eigen::Vector3d& p_W_mm, bool sides_known) {
-  QStringList parts;
-  for (int a = 0; a < 3; ++a) parts << positionWords(p_W_mm, a, sides_known);
-  return parts.join(QStringLiteral("  ")) + ' ' + lengthUnitName();
+  QStringList numbers;
+  for (const double mm : p_W_mm) numbers << placeWords(mm);
+  const bool comma = readoutLocale().decimalPoint() == QStringLiteral(",");
+  return QStringLiteral("%1 %2 %3")
+      .arg(sides_known ? QStringLiteral("LPS") : sliceWords("scan"),
+           numbers.join(comma ? QStringLiteral("; ") : QStringLiteral(", ")), lengthUnitName());
 }
 
 QString rulerWords(double mm) {
@@ -164,11 +162,21 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   QFont bold = font;
   bold.setPixelSize(kTextPixels);
   bold.setBold(true);
-  top.place(QFontMetrics(bold).elidedText(readout.name, Qt::ElideRight, top.roomAtLeft()), Left,
-            readout.colour, kTextPixels, true);
   const QString number = readout.place.section(QStringLiteral("   "), 0, 0);
   const QString at = readout.place.section(QStringLiteral("   "), 1);
-  const bool above = top.place(number, Left, ink) && top.place(at, Right, ink);
+  // words give way to the number
+  QFont plain = font;
+  plain.setPixelSize(kTextPixels);
+  const QFontMetrics metrics(bold);
+  const int numbered =
+      number.isEmpty() ? 0 : QFontMetrics(plain).horizontalAdvance(number) + kGap + 2;
+  const int room = top.roomAtLeft() - numbered;
+  const QString& name =
+      metrics.horizontalAdvance(readout.name) <= room ? readout.name : readout.short_name;
+  top.place(metrics.elidedText(name, Qt::ElideRight, std::max(0, room)), Left, readout.colour,
+            kTextPixels, true);
+  if (!top.place(number, Left, ink)) foot.place(number, Left, ink);
+  const bool above = top.place(at, Right, ink);
 
   foot.place(readout.grey, Left, ink);
   foot.place(readout.value, Right, ink);

@@ -17,7 +17,8 @@ namespace ui {
 
 /// What is written about a slice, on the margin around its picture.
 struct SliceReadout {
-  QString name = {};  ///< of the plane, in its colour
+  QString name = {};        ///< of the plane, in its colour
+  QString short_name = {};  ///< where that leaves no room for numbers
   QColor colour = {};
   QString place = {};                   ///< slice number, position
   QString slab = {};                    ///< empty: one plane
@@ -66,10 +67,11 @@ QString intensityWords(double value, const haptics::Volume& volume);
 /// The length of a ruler: 1, 2 or 5 times a power of ten, at most `longest_mm`.
 double rulerLength_mm(double longest_mm);
 
-/// A place in patient coordinates, in the unit that the user chose: "L 12.3 P 4.0 S 34.5 mm", or
-/// "x 12.3 y 4.0 z 34.5 mm" where the sides are not known.
+/// A place in the file's coordinates, in the unit that the user chose: "LPS 12.3, -4.0, 34.5 mm",
+/// or "scan 12.3, -4.0, 34.5 mm" where the sides are not known. The origin is the file's, so a sign
+/// does not tell the patient's side.
 QString positionWords(const Eigen::Vector3d& p_W_mm, bool sides_known);
-/// One coordinate of it, without the unit.
-QString positionWords(const Eigen::Vector3d& p_W_mm, int axis, bool sides_known);
+/// One coordinate of it, without the unit: "z 34.5".
+QString positionWords(const Eigen::Vector3d& p_W_mm, int axis);
 
 }  // namespace ui

@@ -43,6 +43,7 @@ SliceSet::SliceSet(QWidget* parent) : QObject(parent), menu_(new QMenu(parent)) 
     connect(slice, &SliceView::crossMoved, this, &SliceSet::holdCross);
     connect(slice, &SliceView::greyChanged, this, &SliceSet::chooseGrey);
     connect(slice, &SliceView::greyWanted, this, &SliceSet::takeGrey);
+    connect(slice, &SliceView::fitWanted, this, &SliceSet::fitBody);
     connect(slice, &SliceView::doubleClicked, this, &SliceSet::doubleClicked);
     connect(slice, &SliceView::menuWanted, this,
             [this, slice](QPoint at) { openMenu(*slice, at); });
@@ -73,6 +74,10 @@ QAction* SliceSet::toggle(const QString& text, const char* name, bool on,
   return action;
 }
 
+void SliceSet::fitBody() {
+  for (SliceView* slice : slices_) slice->fitBody();
+}
+
 void SliceSet::openMenu(SliceView& over, QPoint at) {
   over.setFocus(Qt::PopupFocusReason);
   menu_->popup(at);
@@ -85,9 +90,7 @@ void SliceSet::buildMenu() {
     for (SliceView* slice : slices_) slice->resetView();
   });
   reset->setObjectName("resetSlices");
-  QAction* fit = menu_->addAction(tr("Fit all slices to the &body"), this, [this] {
-    for (SliceView* slice : slices_) slice->fitBody();
-  });
+  QAction* fit = menu_->addAction(tr("Fit all slices to the &body"), this, &SliceSet::fitBody);
   fit->setObjectName("fitSlices");
   showKey(*fit, Action::FitBody);
   menu_->addSeparator();
@@ -177,11 +180,11 @@ void SliceSet::offerStated() {
 }
 
 void SliceSet::buildLookMenu() {
-  QMenu* menu = menu_->addMenu(tr("&Voxels"));
-  menu->setObjectName("voxelsMenu");
+  QMenu* voxels = menu_->addMenu(tr("&Voxels"));
+  voxels->setObjectName("voxelsMenu");
   // an entry is checked while the look has its value
-  const auto choice = [&](QActionGroup* group, const QString& text, const char* name, auto value,
-                          auto SliceLook::*part) {
+  const auto choice = [this](QMenu* menu, QActionGroup* group, const QString& text,
+                             const char* name, auto value, auto SliceLook::*part) {
     QAction* action = menu->addAction(text);
     action->setObjectName(name);
     action->setCheckable(true);
@@ -195,19 +198,22 @@ void SliceSet::buildLookMenu() {
   };
   interpolations_ = new QActionGroup(this);
   const auto interpolation = &SliceLook::interpolation;
-  choice(interpolations_, tr("&Interpolated"), "linear", Interpolation::Linear, interpolation);
-  choice(interpolations_, tr("As they a&re"), "nearest", Interpolation::Nearest, interpolation);
-  menu->addSeparator();
+  choice(voxels, interpolations_, tr("&Interpolated"), "linear", Interpolation::Linear,
+         interpolation);
+  choice(voxels, interpolations_, tr("As they a&re"), "nearest", Interpolation::Nearest,
+         interpolation);
+  QMenu* slab_menu = menu_->addMenu(tr("Thick s&lab"));
+  slab_menu->setObjectName("slabMenu");
   slabs_ = new QActionGroup(this);
   const auto slab = &SliceLook::slab;
-  choice(slabs_, tr("&One plane"), "slabNone", SlabKind::None, slab);
-  choice(slabs_, tr("Thick slab: &maximum"), "slabMaximum", SlabKind::Maximum, slab);
-  choice(slabs_, tr("Thick slab: mi&nimum"), "slabMinimum", SlabKind::Minimum, slab);
-  choice(slabs_, tr("Thick slab: m&ean"), "slabMean", SlabKind::Mean, slab);
-  menu->addSeparator();
+  choice(slab_menu, slabs_, tr("&One plane"), "slabNone", SlabKind::None, slab);
+  choice(slab_menu, slabs_, tr("&Maximum"), "slabMaximum", SlabKind::Maximum, slab);
+  choice(slab_menu, slabs_, tr("Mi&nimum"), "slabMinimum", SlabKind::Minimum, slab);
+  choice(slab_menu, slabs_, tr("M&ean"), "slabMean", SlabKind::Mean, slab);
+  slab_menu->addSeparator();
   thicknesses_ = new QActionGroup(this);
   for (const double mm : kThicknesses_mm)
-    choice(thicknesses_, {}, "", mm, &SliceLook::thickness_mm);
+    choice(slab_menu, thicknesses_, {}, "", mm, &SliceLook::thickness_mm);
   const auto name = [this] {
     for (QAction* action : thicknesses_->actions())
       action->setText(
@@ -220,7 +226,7 @@ void SliceSet::buildLookMenu() {
     name();
     placeOblique();
   });
-  QAction* other = menu->addAction(tr("Other &thickness…"), this, &SliceSet::askThickness);
+  QAction* other = slab_menu->addAction(tr("Other &thickness…"), this, &SliceSet::askThickness);
   other->setObjectName("otherThickness");
   showLook();
 }

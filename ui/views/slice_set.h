@@ -31,6 +31,8 @@ class SliceSet : public QObject {
 
   SliceView& slice(Plane plane) { return *slices_[static_cast<std::size_t>(plane)]; }
   const std::array<SliceView*, 4>& slices() const { return slices_; }
+  /// Shows the body in all of them, as large as it can be.
+  void fitBody();
   /// The choices for all slices, as a menu. The View menu has it, and every slice.
   QMenu& menu() { return *menu_; }
   /// Opens it over a slice, which gets the focus.

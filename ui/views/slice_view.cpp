@@ -25,6 +25,7 @@ constexpr double kFarthest = 0.25;         // least zoom
 constexpr double kNearest_px = 60.0;       // for a voxel, at most
 constexpr double kVisible_px = 0.25;       // a tool that moved less is not drawn again
 constexpr int kBodyCell = 4;               // px
+constexpr double kCrossRoom_px = 12.0;     // about a crosshair at the edge
 
 QString nameOf(Plane plane) {
   switch (plane) {
@@ -155,14 +156,24 @@ void SliceView::setCross(const Eigen::Vector3d& cross_W_mm) {
   const bool other = std::abs(axes_.normal.dot(cross_W_mm - through_mm_)) > 1e-6;
   through_mm_ = cross_W_mm;
   if (other) changed();
-  // a crosshair that was moved elsewhere is looked for
-  if (drag_ == Drag::None && volume_ && !QRectF(pictureRect()).contains(projected(cross_mm_))) {
-    fitted_ = false;
-    const Eigen::Vector3d by = cross_mm_ - middle_mm();
-    pan_mm_ += Eigen::Vector2d{axes_.right.dot(by), axes_.up.dot(by)};
-    changed();
-  }
+  if (drag_ == Drag::None && volume_) findCross();
   update();
+}
+
+void SliceView::findCross() {
+  const Eigen::Vector2d before = pan_mm_;
+  if (fitted_) pan_mm_ = bodyPan_mm();
+  const QRectF picture = pictureRect();
+  const QPointF at = projected(cross_mm_);
+  if (!picture.contains(at)) {
+    const QRectF room =
+        picture.adjusted(kCrossRoom_px, kCrossRoom_px, -kCrossRoom_px, -kCrossRoom_px);
+    const QPointF to = fitted_ ? QPointF{std::clamp(at.x(), room.left(), room.right()),
+                                         std::clamp(at.y(), room.top(), room.bottom())}
+                               : picture.center();
+    pan_mm_ += Eigen::Vector2d{at.x() - to.x(), to.y() - at.y()} * mmPerPixel();
+  }
+  if (pan_mm_ != before) changed();
 }
 
 void SliceView::setPlane(const PlaneAxes& axes, const Eigen::Vector3d& through_W_mm,
@@ -304,13 +315,15 @@ Eigen::Vector3d SliceView::placeUnder(QPointF at) const {
 void SliceView::fitBody() {
   if (!volume_) return;
   zoom_ = allowedZoom(fittingMmPerPixel() / fitting(body_mm_));
-  pan_mm_.setZero();
-  if (plane_ != Plane::Oblique) {
-    const Eigen::Vector3d by = body_mm_.center() - box_mm_.center();
-    pan_mm_ = {axes_.right.dot(by), axes_.up.dot(by)};
-  }
+  pan_mm_ = bodyPan_mm();
   fitted_ = true;
   changed();
+}
+
+Eigen::Vector2d SliceView::bodyPan_mm() const {
+  if (plane_ == Plane::Oblique) return Eigen::Vector2d::Zero();
+  const Eigen::Vector3d by = body_mm_.center() - box_mm_.center();
+  return {axes_.right.dot(by), axes_.up.dot(by)};
 }
 
 void SliceView::resetView() {

@@ -124,6 +124,8 @@ class SliceView : public QWidget, public Spoken {
   void doubleClicked(const Eigen::Vector3d& p_W_mm);
   void menuWanted(QPoint at);
   void resetWanted();
+  /// All slices shall show the body.
+  void fitWanted();
   void toolToCrossWanted();
   void crossToToolWanted();
   /// The user wants a usual grey window, or to type one.
@@ -151,6 +153,11 @@ class SliceView : public QWidget, public Spoken {
   void draw(QPainter& painter, const QString& note = {});
   void changed();
   void moveCrossTo(const Eigen::Vector3d& p_W_mm);
+  /// Brings a crosshair that was moved elsewhere into the picture. One that is fitted to the body
+  /// gives way no farther than it must, and comes back.
+  void findCross();
+  /// Of a picture with the body in its middle.
+  Eigen::Vector2d bodyPan_mm() const;
   /// The middle of the picture: a place in the plane.
   Eigen::Vector3d middle_mm() const;
   double fittingMmPerPixel() const;
@@ -167,7 +174,8 @@ class SliceView : public QWidget, public Spoken {
   void makeContour();
   void drawContour(double scale);
   void drawCrossedPlanes(QPainter& painter) const;
-  /// The lines of the tool in widget coordinates: outlines, or where its tip is.
+  /// The lines of the tool in widget coordinates: outlines, or where its tip is beside the plane,
+  /// if not far.
   struct ToolLines {
     std::vector<QPolygonF> proxy = {}, device = {};
     std::optional<QPointF> tip = {};

@@ -112,7 +112,7 @@ bool SliceView::perform(const Binding& meaning) {
       emit resetWanted();
       break;
     case Action::FitBody:
-      fitBody();
+      emit fitWanted();
       break;
     case Action::GreySoftTissue:
     case Action::GreyBone:
@@ -152,7 +152,7 @@ bool SliceView::perform(const Binding& meaning) {
 QString SliceView::hint() const {
   const QString over = overlays_.hint();
   if (!over.isEmpty()) return over;
-  return tr("Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits.")
+  return tr("Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits all.")
       .arg(keyOf(Action::FitBody));
 }
 

@@ -15,8 +15,23 @@
 namespace ui {
 namespace {
 
-constexpr double kTipRing_px = 4.0;  // radius of what stands for a tool beside the plane
-constexpr double kCrossGap = 8.0;    // px, around the crosshair's middle
+constexpr double kTipRing_px = 4.0;       // radius of what stands for a tool beside the plane
+constexpr double kFarthestTip_mm = 30.0;  // from the plane: beyond it nothing is drawn
+constexpr double kCrossGap = 8.0;         // px, around the crosshair's middle
+
+QString shortNameOf(Plane plane) {
+  switch (plane) {
+    case Plane::Axial:
+      return SliceView::tr("Ax.", "axial");
+    case Plane::Coronal:
+      return SliceView::tr("Cor.", "coronal");
+    case Plane::Sagittal:
+      return SliceView::tr("Sag.", "sagittal");
+    case Plane::Oblique:
+      break;
+  }
+  return SliceView::tr("Tool");
+}
 
 }  // namespace
 
@@ -196,7 +211,7 @@ SliceView::ToolLines SliceView::toolLines() const {
   const Eigen::Vector3d tip =
       (mesh_ ? Eigen::Vector3d{*X_WP_ * tipOf(*mesh_)} : Eigen::Vector3d{X_WP_->translation()}) *
       kMmPerM;
-  lines.tip = projected(tip);
+  if (std::abs(axes_.normal.dot(tip - middle)) <= kFarthestTip_mm) lines.tip = projected(tip);
   return lines;
 }
 
@@ -222,12 +237,15 @@ void SliceView::drawTool(QPainter& painter) const {
   painter.setPen(QPen(style::kProxyLine, 1.5));
   for (const QPolygonF& line : lines.proxy) painter.drawPolyline(line);
   if (!lines.tip) return;
+  // off the plane: dashed, as marks are
+  painter.setPen(QPen(style::kProxyLine, 1.0, Qt::DashLine));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(*lines.tip, kTipRing_px, kTipRing_px);
 }
 
 SliceReadout SliceView::readout() const {
-  SliceReadout readout{.name = name_, .colour = colourOf(plane_)};
+  SliceReadout readout{
+      .name = name_, .short_name = shortNameOf(plane_), .colour = colourOf(plane_)};
   if (!volume_) return readout;
   readout.sides_known = volume_->orientation_known;
   if (readout.sides_known) readout.letters = lettersOf(axes_);
@@ -235,8 +253,7 @@ SliceReadout SliceView::readout() const {
   if (plane_ != Plane::Oblique) {
     int along = 0;
     axes_.normal.cwiseAbs().maxCoeff(&along);
-    const QString mm =
-        positionWords(through_mm_, along, volume_->orientation_known) + ' ' + lengthUnitName();
+    const QString mm = positionWords(through_mm_, along) + ' ' + lengthUnitName();
     const std::optional<int> axis = gridAxis();
     readout.place = mm;
     if (axis) {

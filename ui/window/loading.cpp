@@ -51,6 +51,17 @@ void Loading::advance(double fraction) {
 void Loading::end() {
   start_.setLoading({});
   hide();
+  if (!behind_.isEmpty()) begin(behind_);
+}
+
+void Loading::setBehind(const QString& what) {
+  const bool seen = isHidden() || what_->text() == behind_;
+  behind_ = what;
+  if (seen) end();
+}
+
+void Loading::advanceBehind(double fraction) {
+  if (what_->text() == behind_) advance(fraction);
 }
 
 }  // namespace ui

@@ -22,12 +22,17 @@ class Loading : public QFrame {
   /// 0 to 1.
   void advance(double fraction);
   void end();
+  /// Work that goes on behind other work, and is shown whenever nothing else is; empty: it ended.
+  void setBehind(const QString& what);
+  /// How far that is, 0 to 1.
+  void advanceBehind(double fraction);
 
  signals:
   void cancelWanted();
 
  private:
   StartPage& start_;
+  QString behind_;
   QLabel* what_;
   QProgressBar* progress_;
 };

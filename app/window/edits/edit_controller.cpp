@@ -28,7 +28,6 @@ using ui::kMmPerM;
 
 constexpr double kCm3PerM3 = 1e6;
 constexpr double kLeastOffered = 5e-6;  // m^3: less of a holder is in nobody's way
-constexpr double kAnyIntensity = std::numeric_limits<double>::infinity();
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Three significant figures, and cm³.
@@ -39,18 +38,10 @@ QString cm3Of(double volume) {
   return EditController::tr("%1 cm³").arg(QLocale().toString(cm3, 'f', decimals));
 }
 
-/// The voxels of these runs that reach `least`.
-std::shared_ptr<const ui::MarkedVoxels> marked(const haptics::Volume& volume,
-                                               const datasets::Removal& removal, double least) {
-  auto voxels = std::make_shared<ui::MarkedVoxels>(volume.grid);
-  const auto& dims = volume.grid.dims;
-  haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* first) {
-    for (const haptics::VoxelRun& run : removal.runs) {
-      const auto* row = first + (run.k * dims[1] + run.j) * dims[0];
-      for (std::int64_t i = run.i; i < run.i + run.count; ++i)
-        if (static_cast<double>(row[i]) >= least) voxels->add(i, run.j, run.k, 1);
-    }
-  });
+std::shared_ptr<const ui::MarkedVoxels> marked(const haptics::Grid& grid,
+                                               const datasets::Removal& removal) {
+  auto voxels = std::make_shared<ui::MarkedVoxels>(grid);
+  for (const haptics::VoxelRun& run : removal.runs) voxels->add(run.i, run.j, run.k, run.count);
   voxels->finish();
   return voxels;
 }
@@ -62,9 +53,7 @@ haptics::Expected<EditController::Preview> EditController::previewOf(
     const background::Watch& watch) {
   const auto removal = datasets::removalOf(volume, edit, isovalue, {.cancel = &watch.cancel});
   if (!removal) return tl::unexpected(removal.error());
-  // of a piece what is solid; it takes its rim with it, which nobody sees. A holder is foam, too
-  const bool solid = !std::holds_alternative<datasets::RemoveHolder>(edit);
-  return Preview{removal->volume, marked(volume, *removal, solid ? isovalue : -kAnyIntensity)};
+  return Preview{removal->volume, marked(volume.grid, *removal)};
 }
 
 EditController::EditController(ui::MainWindow& window, SharedState& shared)
@@ -78,6 +67,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
       shared_(shared),
       panel_(new ui::EditPanel),
       jobs_(messages_, loading_, shared),
+      waits_(new ui::Banner(ui::Banner::Kind::Question, "editWaits")),
       found_(new ui::Banner(ui::Banner::Kind::Question, "holderFound")),
       // with its words: a load that ended meanwhile has put the bar away
       saver_([this](double fraction) {
@@ -93,6 +83,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
   connectJobs();
   connectPanel();
   connectOverlays();
+  offerLift();
   offerHolder();
   connect(&window.loading(), &ui::Loading::cancelWanted, this, [this] {
     jobs_.cancel();
@@ -106,7 +97,7 @@ void EditController::connectJobs() {
   connect(&jobs_, &EditQueue::edited, this, &EditController::edited);
   connect(&jobs_, &EditQueue::pictured, this, &EditController::pictured);
   connect(&jobs_, &EditQueue::noted, this, &EditController::noted);
-  connect(&jobs_, &EditQueue::waitChanged, panel_, &ui::EditPanel::showWait);
+  connect(&jobs_, &EditQueue::waitChanged, this, &EditController::showWait);
   connect(&jobs_, &EditQueue::failed, this, [this] {
     showSteps();
     // the box shows what is there
@@ -416,7 +407,10 @@ void EditController::showCut() {
   cut.X_WC.translation() = eye / kMmPerM;
   cut.from = from_mm / kMmPerM;
   cut.until = until_mm / kMmPerM;
-  preview(cut, ui::EditConfirm::Cut, tr("The cut takes %1, which is hatched."));
+  preview(cut, ui::EditConfirm::Cut,
+          tr("All that is hatched goes, for the eye and the touch, soft tissue too: %1 of it is "
+             "solid at "
+             "the isovalue."));
   drawn_ = outline;
 }
 
@@ -463,6 +457,21 @@ void EditController::confirmPiece(bool keep) {
     apply(datasets::KeepPiece{wanted.seed_W, wanted.isovalue});
   else
     apply(wanted);
+}
+
+void EditController::offerLift() {
+  window_.addOverView(*waits_);
+  lift_ = waits_->addButton("liftTool");
+  lift_->setText(tr("Lift the tool"));
+  lift_->setToolTip(tr("Takes the tool off the surface; a simulated hand gives it to the mouse"));
+  connect(lift_, &QPushButton::clicked, this, &EditController::liftWanted);
+}
+
+void EditController::showWait(const QString& words) {
+  panel_->showWait(words);
+  waits_->setSentence(device_held_ ? words + ' ' + tr("Lift the handle of the device.") : words);
+  lift_->setVisible(!device_held_);
+  waits_->setVisible(!words.isEmpty());
 }
 
 void EditController::offerHolder() {

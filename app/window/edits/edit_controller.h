@@ -26,6 +26,8 @@
 #include "ui/window/top_bar.h"
 #include "ui/window/views.h"
 
+class QPushButton;
+
 namespace app {
 
 /// Takes parts of the scan away: the panel "Edit", its menu, and what it draws over the views. The
@@ -39,6 +41,8 @@ class EditController : public QObject {
   void showScene();
   /// Call it at display rate, with a snapshot that is as new as can be.
   void refresh() { jobs_.refresh(); }
+  /// Whether a real device holds the tool: only the hand at it lifts it.
+  void setDeviceHeld(bool held) { device_held_ = held; }
   /// During a replay nothing can be edited.
   void setReplaying(bool replaying);
 
@@ -66,6 +70,8 @@ class EditController : public QObject {
   void saved(bool well, const QString& what);
   /// What was done, for a recording: the edit as text, or "undo", "redo", "reset", "restore".
   void noted(const QString& text);
+  /// The tool shall leave the surface, since an edit waits for it.
+  void liftWanted();
 
  private:
   struct Preview {
@@ -100,6 +106,8 @@ class EditController : public QObject {
   void preview(datasets::Edit edit, ui::EditConfirm confirm, const QString& words);
   void confirmPiece(bool keep);
   void offerHolder();
+  void offerLift();
+  void showWait(const QString& words);
   void lookForHolder();
   void save(const QString& path);
 
@@ -127,6 +135,9 @@ class EditController : public QObject {
   std::optional<ui::DrawnOutline> drawn_;           ///< of the cut that is previewed
   EditQueue jobs_;
   background::Task<Preview> previewer_;
+  ui::Banner* waits_;  ///< says that an edit waits for the tool
+  QPushButton* lift_ = nullptr;
+  bool device_held_ = false;
   ui::Banner* found_;  ///< offers to remove table and holder of a scan that has come
   background::Task<Preview> looker_;
   /// Table and holder that found_ tells of.

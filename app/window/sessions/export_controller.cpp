@@ -46,9 +46,9 @@ ExportController::ExportController(ui::Views& views, ui::Messages& messages, ui:
       measures_(measures) {
   connect(&loading, &ui::Loading::cancelWanted, &task_, &ExportTask::cancel);
   connect(&loading, &ui::Loading::cancelWanted, this, [this] { opener_.cancel(); });
-  connect(&task_, &ExportTask::progressed, &loading, &ui::Loading::advance);
+  connect(&task_, &ExportTask::progressed, &loading, &ui::Loading::advanceBehind);
   connect(&task_, &ExportTask::finished, this, [this](bool well, const QString& what) {
-    loading_.end();
+    loading_.setBehind({});
     log::write(log::Level::Info, "export-ended", {{"whole", well}, {"cancelled", what.isEmpty()}});
     if (well) return messages_.showDone(what, folder_);
     if (!what.isEmpty()) messages_.showMessage(what);
@@ -148,7 +148,7 @@ void ExportController::exportTo(ExportRequest request) {
     return messages_.showMessage(tr("An export is under way; wait for it, or cancel it first."));
   folder_ = folder;
   messages_.clear();
-  loading_.begin(tr("Exporting"));
+  loading_.setBehind(tr("Exporting"));
 }
 
 }  // namespace app

@@ -151,6 +151,13 @@ void HandController::bring(const haptics::Pose& X_WT, const haptics::Pose& X_WH)
   views_.volume().placeHand(X_WH);
 }
 
+void HandController::lift(const haptics::Pose& X_WT) {
+  if (!shared_.shown || shared_.replaying || holdsDevice()) return;
+  if (hand_ == "mouse" || open("mouse", X_WT)) bring(X_WT, X_WT);
+}
+
+bool HandController::holdsDevice() const { return handOf(hand_) == nullptr; }
+
 void HandController::reopen() {
   if (shared_.shown && !shared_.replaying) open(hand_);
 }

@@ -39,6 +39,11 @@ class HandController : public QObject {
   /// Brings the tool to a legal pose, with the force ramping from zero. A simulated hand begins its
   /// motion anew from there; the hand at a real device stays where it is.
   void bring(const haptics::Pose& X_WT, const haptics::Pose& X_WH);
+  /// Takes the tool from the surface to a legal pose, where the mouse has it: a simulated hand
+  /// would touch again.
+  void lift(const haptics::Pose& X_WT);
+  /// Whether a real device holds the tool.
+  bool holdsDevice() const;
   /// Opens the hand if none is open, there is a scene, and no recording is on view.
   void reopen();
   /// The same for a new scene. If a simulated hand finds no target, opens the mouse instead.

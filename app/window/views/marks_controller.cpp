@@ -2,7 +2,9 @@
 #include "app/window/views/marks_controller.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QMenu>
+#include <QTimer>
 #include <algorithm>
 
 #include "app/log/log.h"
@@ -82,8 +84,17 @@ void MarksController::connectPanel() {
     log::write(log::Level::Info, "mark-placed");
     if (measures_.all()[static_cast<std::size_t>(index)].kind != ui::MeasureKind::Note) return;
     // its words are typed in the list
+    noted_in_ = QApplication::focusWidget();
     panels_.reveal(panel_);
     panel_->edit(index);
+  });
+  // then the view has the keys again; not before the list has dealt with the key
+  connect(panel_, &MarksPanel::typed, this, [this] {
+    QTimer::singleShot(0, this, [this] {
+      const QWidget* focus = QApplication::focusWidget();
+      if (noted_in_ && focus != nullptr && panel_->isAncestorOf(focus)) noted_in_->setFocus();
+      noted_in_ = nullptr;
+    });
   });
 }
 

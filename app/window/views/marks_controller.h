@@ -3,6 +3,8 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QPointer>
+#include <QWidget>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -71,6 +73,7 @@ class MarksController : public QObject {
   SharedState& shared_;
   ui::Measures measures_;
   ui::MarksPanel* panel_;
+  QPointer<QWidget> noted_in_;    ///< the view of a note whose words are typed
   std::optional<Marked> marked_;  ///< what the marks belong to
   std::vector<Marked> kept_;
   std::pair<int, std::size_t> gone_to_{-1, 0};  ///< measure and place under the crosshair

@@ -9,6 +9,7 @@
 #include <QGuiApplication>
 #include <QStatusBar>
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "app/film/face.h"
@@ -24,6 +25,7 @@ namespace app {
 namespace {
 
 constexpr int kPictureSaidMs = 6000;
+constexpr std::array kLifts{0.02, 0.04, 0.08, 0.16};  // m
 constexpr double kRestForce = 0.3;        // N, of a tool that was brought to the surface
 constexpr double kLeastStiffness = 50.0;  // N/m: a softer spring is not pressed farther
 
@@ -100,6 +102,19 @@ void ViewController::bringToCross() {
   haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
   if (haptics::legal(solid, scene.tool.shell, X_WT, unlimited)) return emit toolPlaced(X_WT, X_WT);
   bringTool(cross_W, haptics::Vec3::Zero());
+}
+
+void ViewController::liftTool() {
+  if (!mayBring()) return;
+  const haptics::Scene& scene = *shared_.shown->scene;
+  const haptics::Isosurface solid{scene.field, shared_.settings.isovalue};
+  for (const double by : kLifts) {
+    haptics::Pose X_WT = shared_.snapshot.X_WP;
+    X_WT.translation() += X_WT.linear().col(2) * by;  // towards the handle
+    haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
+    if (haptics::legal(solid, scene.tool.shell, X_WT, unlimited)) return emit toolLifted(X_WT);
+  }
+  emit toolLifted(shared_.shown->start);
 }
 
 void ViewController::moveCrossToTool() {

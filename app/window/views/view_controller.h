@@ -24,6 +24,8 @@ class ViewController : public QObject {
   void bringToCross();
   /// Brings the tool to a pose where it was, or, where the solid is there now, close to it.
   void bringBack(const haptics::Pose& X_WP);
+  /// Takes the tool back along its axis until it is free, or to where it was at first.
+  void liftTool();
   void moveCrossToTool();
   /// Asks what to take a picture of and where to, and writes it. `first`: the slice that is offered
   /// first; null: the 3-D view.
@@ -33,6 +35,8 @@ class ViewController : public QObject {
  signals:
   /// The tool is to be at this legal pose.
   void toolPlaced(const haptics::Pose& X_WT, const haptics::Pose& X_WH);
+  /// The tool is to leave the surface for this legal pose.
+  void toolLifted(const haptics::Pose& X_WT);
 
  private:
   /// Whether a tool can be brought anywhere now; if not, says why.

@@ -97,6 +97,28 @@ TEST_F(Editing, UndoAndRedoWaitUntilTheToolIsOutOfContactAndSaySo) {
   EXPECT_FALSE(waits());
 }
 
+TEST_F(Editing, AButtonLiftsTheToolSoThatAnUndoNeedNotWait) {
+  openBalls();
+  click("piecesTool");
+  clickAt(window().views().volume(), inSpace(kSmallAt));
+  ASSERT_TRUE(previewed());
+  click("removePiece");
+  settle();
+  pulledTo({-12, -29, 0});
+  pulledTo({-12, -5, 0});
+  ASSERT_GT(application_->snapshot().contacts, 0);
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  auto& lift = child<QPushButton>("liftTool");
+  ASSERT_TRUE(waitFor([&] { return lift.isVisible(); }));
+  EXPECT_EQ(child<QLabel>("editWaits").text(), "Undo waits until the tool no longer touches.");
+  lift.click();
+  EXPECT_TRUE(waitFor([&] { return application_->editing().edits().empty(); }));
+  settle();
+  EXPECT_FALSE(lift.isVisible());
+  EXPECT_EQ(application_->snapshot().contacts, 0);
+  EXPECT_TRUE(isThere(kSmallAt));
+}
+
 // An undo that began out of contact is not adopted under a tool that has come to touch meanwhile.
 TEST_F(Editing, AnUndoThatBeganWaitsAgainBeforeItIsAdopted) {
   openBalls();

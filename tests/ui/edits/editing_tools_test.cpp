@@ -13,6 +13,7 @@
 
 #include "app/window/edits/edit_controller.h"
 #include "app/window/scan/loader.h"
+#include "datasets/readers/nrrd/writer.h"
 #include "tests/ui/edits/editing.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/number_box.h"
@@ -602,6 +603,36 @@ TEST_F(Editing, SmallPiecesAreShownAndRemoved) {
   click("applyRemoval");
   EXPECT_FALSE(isThere(kSmallAt));
   EXPECT_TRUE(isThere(kLargeAt));
+}
+
+TEST_F(Editing, TheScalpelHatchesSoftTissueTooAndSaysThatItGoes) {
+  const auto path = std::filesystem::path(scans_.path().toStdString()) / "soft.nrrd";
+  const auto bone = window::ball(kLargeAt * 1e-3, kLarge_mm * 1e-3);
+  const auto scan = window::volumeOf(
+      window::cubeGrid(64), haptics::ScalarType::Int16,
+      [&](const haptics::Vec3& p) { return std::max(bone(p), p.z() < 0.0 ? 30.0 : 0.0); });
+  ASSERT_TRUE(datasets::writeNrrd(*scan, path).has_value());
+  open(path, 50.0);
+  click("scalpelTool");
+  window().views().setCross({-12, 0, -18});
+  ui::SliceView& coronal = slice(ui::Plane::Coronal);
+  const auto at = [&](double x, double z) { return coronal.projected(Vector3d{x, 0, z}); };
+  const Vector3d soft{-12, 0, -20};
+  const auto hatched = [&] {
+    const QPoint middle = coronal.projected(soft).toPoint() + QPoint{8, 8};  // beside the crosshair
+    return window::count(window::pictureOf(coronal).copy(QRect(middle, QSize{8, 8})),
+                         [](QColor c) { return c.red() > c.blue() + 30; });
+  };
+  EXPECT_EQ(hatched(), 0);
+  drag(coronal, {at(-20, -10), at(-4, -10), at(-4, -26), at(-20, -26), at(-20, -10)});
+  ASSERT_TRUE(previewed());
+  EXPECT_EQ(hatched(), 64);
+  const QString words = child<QLabel>("editPreview").text();
+  EXPECT_TRUE(words.contains("soft tissue") && words.contains("cm³")) << words.toStdString();
+  EXPECT_GT(felt(soft), 20.0);
+  click("applyRemoval");
+  settle();
+  EXPECT_LT(felt(soft), 1.0);
 }
 
 TEST_F(Editing, AScalpelCutsAlongWhatIsDrawn) {

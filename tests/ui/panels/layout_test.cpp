@@ -20,6 +20,7 @@
 #include "app/window/program/preferences.h"
 #include "tests/ui/panelled_window.h"
 #include "tests/ui/window_support.h"
+#include "ui/panels/edit_panel.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/view_frame.h"
@@ -416,6 +417,23 @@ TEST(Layout, IsRemembered) {
   EXPECT_EQ(w.window.views().state(), "four_up");
   EXPECT_FALSE(w.window.views().slices().obliqueShown());
   QSettings().remove("window/views");
+}
+
+TEST(Layout, TheWidthOfTheEditPanelDoesNotDependOnWhatItSays) {
+  ui::EditPanel panel;
+  panel.QWidget::show();
+  const int width = panel.minimumSizeHint().width();
+  panel.show(ui::EditSteps{.in_force = 12'345, .undo = true, .redo = true});
+  QCoreApplication::processEvents();
+  EXPECT_EQ(panel.minimumSizeHint().width(), width);
+  const QString words = "Undo waits until the tool no longer touches.";
+  panel.showWait(words);
+  for (const auto confirm :
+       {ui::EditConfirm::Removal, ui::EditConfirm::Cut, ui::EditConfirm::Piece}) {
+    panel.showPreview(words, confirm);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(panel.minimumSizeHint().width(), width);
+  }
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ TEST(ViewFiles, WhatEachViewShowsComesBackToThePixel) {
     return views.window.findChild<QAction*>(name);
   };
   const auto thick = [](FiledViews& views) {
-    for (QAction* action : views.window.findChild<QMenu*>("voxelsMenu")->actions())
+    for (QAction* action : views.window.findChild<QMenu*>("slabMenu")->actions())
       if (action->text().startsWith("10")) return action;
     return static_cast<QAction*>(nullptr);
   };

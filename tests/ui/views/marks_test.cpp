@@ -571,7 +571,10 @@ TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
   window::showActive(scan.window);
   ui::VolumeView& view = scan.window.views().volume();
   view.setFocus();
+  auto* hint = view.parentWidget()->findChild<QLabel*>("viewHint");
+  const QString before = hint->text();
   QTest::keyClick(&view, Qt::Key_N);
+  EXPECT_NE(hint->text(), before);  // at once
   click(view, view.projected({0.0, -kBall_mm * 1e-3, 0.0}));
   auto* list = scan.window.findChild<QTableWidget*>("marks");
   auto* editor = list->findChild<QLineEdit*>();
@@ -591,6 +594,8 @@ TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
   ASSERT_EQ(scan.measures().all().size(), 1U);
   EXPECT_EQ(scan.last().kind, MeasureKind::Note);
   EXPECT_EQ(scan.last().text, "thin wall");
+  // the view in which it was set has the keys again
+  EXPECT_EQ(QApplication::focusWidget(), &view);
   EXPECT_EQ(scan.value(0), "");
   window::keep(window::pictureAtRest(view), "marks_note_3d");
   window::keep(window::pictureOf(scan.window), "marks_note");

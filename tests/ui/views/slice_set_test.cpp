@@ -251,7 +251,7 @@ TEST(Slices, AreAsThickAsIsChosen) {
   w.slices().moveCross({0.5, 0.5, 0.5});
   ui::SliceView& axial = w.window.views().slice(Plane::Axial);
   const auto shown = [&](double thickness_mm) {
-    for (QAction* action : w.slices().menu().findChild<QMenu*>("voxelsMenu")->actions())
+    for (QAction* action : w.slices().menu().findChild<QMenu*>("slabMenu")->actions())
       if (action->data().toDouble() == thickness_mm) action->trigger();
     window::pictureOf(axial);  // it is cut when it is painted
     const QPointF at = axial.projected({0.5, 0.5, 0.5});
@@ -300,7 +300,7 @@ TEST(Slices, AreAsThickAsIsTypedWithEitherMarkInEitherUnit) {
   EXPECT_EQ(type("0,5"), "maximum of 0.5 mm");
   EXPECT_EQ(type("5.0.0"), "maximum of 0.5 mm");
   ui::setLengthUnit(ui::LengthUnit::Centimetres);
-  const auto menu = w.slices().menu().findChild<QMenu*>("voxelsMenu")->actions();
+  const auto menu = w.slices().menu().findChild<QMenu*>("slabMenu")->actions();
   EXPECT_TRUE(std::ranges::any_of(menu, [](auto* a) { return a->text() == "0.5 cm thick"; }));
   EXPECT_EQ(type("1,25"), "maximum of 1.25 cm");
   ui::setLengthUnit(ui::LengthUnit::Millimetres);
@@ -501,7 +501,7 @@ TEST(Slices, TheSpaceViewSaysValueAndPlaceUnderThePointerToo) {
   EXPECT_EQ(asked, 0);  // not for every move
   ASSERT_TRUE(window::waitFor([&] { return plate->isVisible(); }));
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(plate->text(), "312 HU   L 1.0  A 14.0  S 2.0 mm");
+  EXPECT_EQ(plate->text(), "312 HU   LPS 1.0, -14.0, 2.0 mm");
   QTest::qWait(250);
   EXPECT_EQ(asked, 1);  // nothing is asked while the pointer rests
   QEvent leave(QEvent::Leave);
@@ -569,6 +569,14 @@ TEST(Slices, FitTheBodyAtFirstByKeyAndByButton) {
     EXPECT_GT(slice->mmPerPixel(), 1.5 * fitted);  // the whole slice
     QTest::keyClick(slice, Qt::Key_B);
     fits();
+    // of all slices, as the menu says
+    for (ui::SliceView* other : w.slices().slices()) other->resetView();
+    QTest::keyClick(slice, Qt::Key_B);
+    for (ui::SliceView* other : w.slices().slices())
+      if (other->plane() != Plane::Oblique)
+        EXPECT_LT(
+            other->mmPerPixel(),
+            31.0 / 0.85 / std::min(other->pictureRect().width(), other->pictureRect().height()));
     slice->pan({20.0, 0.0});
     slice->parentWidget()->findChild<QToolButton*>("fitBody")->click();
     fits();

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QContextMenuEvent>
+#include <QLocale>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QRegion>
@@ -14,6 +16,7 @@
 
 #include "haptics/field/scalar_field.h"
 #include "tests/ui/window_support.h"
+#include "ui/style/scene_colours.h"
 #include "ui/views/slice_readout.h"
 
 namespace {
@@ -232,14 +235,14 @@ TEST(SliceView, ShiftsByMiddleDragShiftAndLeftDragAndKeys) {
 TEST(SliceView, GoesThroughTheSlicesByKeysAndSaysWhichItShows) {
   ShownSlice s;
   EXPECT_TRUE(s.view.readout().place.startsWith("33 / 64")) << qPrintable(s.view.readout().place);
-  EXPECT_TRUE(s.view.readout().place.contains("S 0.5 mm"));
+  EXPECT_TRUE(s.view.readout().place.contains("z 0.5 mm"));
   const auto number = [&] { return s.view.readout().place.section(' ', 0, 0).toInt(); };
   QTest::keyClick(&s.view, Qt::Key_Up);
   EXPECT_EQ(number(), 34);
   QTest::keyClick(&s.view, Qt::Key_Down);
   QTest::keyClick(&s.view, Qt::Key_Down);
   EXPECT_EQ(number(), 32);
-  EXPECT_TRUE(s.view.readout().place.contains("I 0.5 mm"));
+  EXPECT_TRUE(s.view.readout().place.contains("z -0.5 mm"));
   QTest::keyClick(&s.view, Qt::Key_PageUp);
   EXPECT_EQ(number(), 42);
   QTest::keyClick(&s.view, Qt::Key_PageDown);
@@ -280,9 +283,9 @@ TEST(SliceView, CountsTheSlicesOfItsOwnAxisWhateverTheirDistance) {
   const struct {
     Plane plane;
     const char *here, *next;
-  } planes[] = {{Plane::Axial, "8 / 20   S 14.0 mm", "9 / 20   S 16.0 mm"},
-                {Plane::Coronal, "21 / 50   P 16.0 mm", "22 / 50   P 16.8 mm"},
-                {Plane::Sagittal, "11 / 40   L 5.0 mm", "12 / 40   L 5.5 mm"}};
+  } planes[] = {{Plane::Axial, "8 / 20   z 14.0 mm", "9 / 20   z 16.0 mm"},
+                {Plane::Coronal, "21 / 50   y 16.0 mm", "22 / 50   y 16.8 mm"},
+                {Plane::Sagittal, "11 / 40   x 5.0 mm", "12 / 40   x 5.5 mm"}};
   for (const auto& [plane, here, next] : planes) {
     ui::SliceView view(plane);
     QObject::connect(&view, &ui::SliceView::crossMoved, &view, &ui::SliceView::setCross);
@@ -334,11 +337,11 @@ TEST(SliceView, SaysTheValueUnderThePointerWithUnitAndPlace) {
   const double value = view.readout().value.section(' ', 0, 0).toDouble();
   EXPECT_NEAR(value, 3.0 * seen.x() + 7.0 * seen.y() - 20.0, 1.6);  // half a pixel, and rounding
   EXPECT_TRUE(view.readout().value.endsWith(" HU"));
-  EXPECT_TRUE(view.readout().position.startsWith("R 10.") ||
-              view.readout().position.startsWith("R 11.0"))
+  EXPECT_TRUE(view.readout().position.startsWith("LPS -10.") ||
+              view.readout().position.startsWith("LPS -11.0"))
       << qPrintable(view.readout().position);
-  EXPECT_TRUE(view.readout().position.contains("P 12."));
-  EXPECT_TRUE(view.readout().position.contains("S 0.5 mm"));
+  EXPECT_TRUE(view.readout().position.contains(", 12."));
+  EXPECT_TRUE(view.readout().position.contains(", 0.5 mm"));
   // beside the volume there is none
   hover(view, view.pictureRect().topLeft() + QPoint{2, 2});
   EXPECT_EQ(view.readout().value, "");
@@ -632,6 +635,73 @@ TEST(SliceView, LooksForACrosshairThatWasMovedElsewhere) {
   s.view.zoom(6.0, s.view.projected({-15.0, 10.0, 0.5}));
   s.view.setCross({20.5, -15.5, 3.5});
   EXPECT_TRUE(QRectF(s.view.pictureRect()).contains(s.view.projected({20.5, -15.5, 3.5})));
+}
+
+TEST(SliceView, AFittedPictureStaysWhileTheCrosshairIsInItAndGivesWayNoFartherThanItMust) {
+  ShownSlice s;
+  s.view.fitBody();
+  const auto corner = [&] { return s.view.placeUnder(s.view.pictureRect().topLeft()); };
+  const QRectF room = s.view.pictureRect();
+  const Vec3 fitted = corner();
+  const double px = s.view.mmPerPixel();
+  s.view.setCross(s.view.placeUnder(room.center() + QPointF{0.45 * room.width(), 0.0}));
+  EXPECT_LT((corner() - fitted).norm(), 1e-9);
+  // 40 px out of the picture, as a tool beside the body
+  const Vec3 beside = s.view.placeUnder({room.right() + 40.0, room.center().y()});
+  s.view.setCross(beside);
+  EXPECT_TRUE(room.contains(s.view.projected(beside)));
+  EXPECT_LT((corner() - fitted).norm(), 60.0 * px);
+  s.view.setCross(s.view.placeUnder(room.center()));
+  EXPECT_LT((corner() - fitted).norm(), 1e-9);
+}
+
+TEST(SliceView, TheMarkOfAToolOffThePlaneIsDashedAndNotDrawnFarFromIt) {
+  ShownSlice s;
+  s.view.setMesh(std::make_shared<const haptics::TriangleMesh>(window::octahedron(0.004)));
+  const auto ink = [&](double off) {
+    haptics::Pose pose = haptics::Pose::Identity();
+    pose.translation() = Vec3{0.020, 0.020, off};
+    s.view.setTool(pose, pose);
+    window::rest(s.view);
+    const QImage image = window::pictureOf(s.view);
+    const QColor line = ui::style::kProxyLine;
+    return window::count(image, [&](QColor c) {
+      return std::abs(c.red() - line.red()) + std::abs(c.green() - line.green()) +
+                 std::abs(c.blue() - line.blue()) <
+             60;
+    });
+  };
+  const int none = ink(0.200), near = ink(0.010);
+  EXPECT_EQ(ink(0.045), none);
+  EXPECT_GT(near, none + 4);
+  EXPECT_LT(near, none + 30);  // a full ring of 4 px radius has more
+}
+
+TEST(SliceView, WordsGiveWayToTheNumberOfASlice) {
+  const ui::SliceReadout said{.name = "Koronalschnitt",
+                              .short_name = "Kor.",
+                              .place = "214 / 512   y 177.2 mm",
+                              .letters = {"R", "L", "S", "I"}};
+  for (const int width : {150, 180, 220, 300, 420}) {
+    const QRect widget(0, 0, width, 200);
+    const auto layout =
+        ui::layOut(said, QApplication::font(), widget, ui::pictureIn(widget, false), 40, 0.5);
+    const auto has = [&](const char* text) {
+      return std::ranges::any_of(layout.texts, [&](const auto& one) { return one.text == text; });
+    };
+    EXPECT_TRUE(has("214 / 512")) << width;
+    EXPECT_TRUE(width < 300 || has("Kor.") || has("Koronalschnitt")) << width;
+  }
+}
+
+TEST(SliceView, APlaceIsThreeNumbersWithTheirFrameSaidOnce) {
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::English));
+  EXPECT_EQ(ui::positionWords({177.2, -169.3, 1610.8}, true), "LPS 177.2, -169.3, 1610.8 mm");
+  EXPECT_EQ(ui::positionWords({177.2, -169.3, 1610.8}, false), "scan 177.2, -169.3, 1610.8 mm");
+  QLocale::setDefault(QLocale(QLocale::German));
+  EXPECT_EQ(ui::positionWords({177.2, -169.3, 1610.8}, true), "LPS 177,2; -169,3; 1610,8 mm");
+  QLocale::setDefault(before);
 }
 
 }  // namespace
