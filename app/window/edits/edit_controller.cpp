@@ -469,9 +469,10 @@ void EditController::offerLift() {
 
 void EditController::showWait(const QString& words) {
   panel_->showWait(words);
+  if (words.isEmpty()) return waits_->hide();
   waits_->setSentence(device_held_ ? words + ' ' + tr("Lift the handle of the device.") : words);
   lift_->setVisible(!device_held_);
-  waits_->setVisible(!words.isEmpty());
+  waits_->show();
 }
 
 void EditController::offerHolder() {
