@@ -16,7 +16,6 @@
 
 #include "haptics/field/scalar_field.h"
 #include "tests/ui/window_support.h"
-#include "ui/style/scene_colours.h"
 #include "ui/views/slice_readout.h"
 
 namespace {
@@ -658,23 +657,29 @@ TEST(SliceView, AFittedPictureStaysWhileTheCrosshairIsInItAndGivesWayNoFartherTh
 TEST(SliceView, TheMarkOfAToolOffThePlaneIsDashedAndNotDrawnFarFromIt) {
   ShownSlice s;
   s.view.setMesh(std::make_shared<const haptics::TriangleMesh>(window::octahedron(0.004)));
-  const auto ink = [&](double off) {
+  const auto shown = [&](double off) {
     haptics::Pose pose = haptics::Pose::Identity();
     pose.translation() = Vec3{0.020, 0.020, off};
     s.view.setTool(pose, pose);
     window::rest(s.view);
-    const QImage image = window::pictureOf(s.view);
-    const QColor line = ui::style::kProxyLine;
-    return window::count(image, [&](QColor c) {
-      return std::abs(c.red() - line.red()) + std::abs(c.green() - line.green()) +
-                 std::abs(c.blue() - line.blue()) <
-             60;
-    });
+    return window::pictureOf(s.view);
   };
-  const int none = ink(0.200), near = ink(0.010);
-  EXPECT_EQ(ink(0.045), none);
-  EXPECT_GT(near, none + 4);
-  EXPECT_LT(near, none + 30);  // a full ring of 4 px radius has more
+  const QImage none = shown(0.200), near = shown(0.010);
+  EXPECT_EQ(shown(0.045), none);
+  // along the ring there is ink, and there are gaps
+  const QPointF tip = s.view.projected({20.0, 20.0, 0.0});
+  int inked = 0, bare = 0;
+  for (int n = 0; n < 72; ++n) {
+    const double turn = n * 3.14159265 / 36.0;
+    int most = 0;
+    for (const double radius : {3.0, 3.5, 4.0, 4.5, 5.0}) {
+      const QPoint at((tip + radius * QPointF{std::cos(turn), std::sin(turn)}).toPoint());
+      most = std::max(most, std::abs(qGray(near.pixel(at)) - qGray(none.pixel(at))));
+    }
+    ++(most > 60 ? inked : most < 50 ? bare : inked);
+  }
+  EXPECT_GT(inked, 15);
+  EXPECT_GT(bare, 3);
 }
 
 TEST(SliceView, WordsGiveWayToTheNumberOfASlice) {
