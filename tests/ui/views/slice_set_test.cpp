@@ -523,7 +523,7 @@ TEST(Slices, ThePlateUnderThePointerKeepsOffTheCard) {
   ASSERT_GT(card->y(), 200);
   const auto* plate = frame.findChild<QLabel*>("pointed");
   QCursor::setPos(frame.mapToGlobal(QPoint{30, 20}));  // so the plate goes down
-  frame.setPointed("312 HU   L 1.0  A 14.0  S 2.0 mm");
+  frame.setPointed("312 HU   LPS 1.0, -14.0, 2.0 mm");
   ASSERT_TRUE(plate->isVisible());
   EXPECT_GT(plate->y(), 100);
   EXPECT_FALSE(plate->geometry().intersects(card->geometry()));

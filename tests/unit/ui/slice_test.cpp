@@ -163,12 +163,12 @@ TEST(Slice, SaysDirectionsAsLetters) {
 TEST(Slice, SaysLengthsInTheUnitThatWasChosen) {
   EXPECT_EQ(ui::rulerWords(5.0), "5 mm");
   EXPECT_EQ(ui::rulerWords(0.02), "0.02 mm");
-  EXPECT_EQ(ui::positionWords(Vec3{-12.34, 4.0, 34.5}, true), "R 12.3  P 4.0  S 34.5 mm");
+  EXPECT_EQ(ui::positionWords(Vec3{-12.34, 4.0, 34.5}, true), "LPS -12.3, 4.0, 34.5 mm");
   ui::setLengthUnit(ui::LengthUnit::Centimetres);
   EXPECT_EQ(ui::rulerWords(5.0), "0.5 cm");
   EXPECT_EQ(ui::rulerWords(0.02), "0.002 cm");
   EXPECT_EQ(ui::rulerWords(200.0), "20 cm");
-  EXPECT_EQ(ui::positionWords(Vec3{-12.34, 4.0, 34.5}, true), "R 1.23  P 0.40  S 3.45 cm");
+  EXPECT_EQ(ui::positionWords(Vec3{-12.34, 4.0, 34.5}, true), "LPS -1.23, 0.40, 3.45 cm");
   ui::setLengthUnit(ui::LengthUnit::Millimetres);
 }
 
