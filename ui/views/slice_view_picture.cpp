@@ -238,7 +238,9 @@ void SliceView::drawTool(QPainter& painter) const {
   for (const QPolygonF& line : lines.proxy) painter.drawPolyline(line);
   if (!lines.tip) return;
   // off the plane: dashed, as marks are
-  painter.setPen(QPen(style::kProxyLine, 1.0, Qt::DashLine));
+  QPen dashed(style::kProxyLine, 1.0, Qt::SolidLine, Qt::FlatCap);
+  dashed.setDashPattern({2.0, 2.0});
+  painter.setPen(dashed);
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(*lines.tip, kTipRing_px, kTipRing_px);
 }
