@@ -11,6 +11,8 @@
 
 namespace app {
 
+extern const char* const kCommit;  // commit.cpp, which the build writes
+
 nlohmann::ordered_json machineHere() {
   std::string cpu = "unknown", line;
   std::ifstream info{"/proc/cpuinfo"};
@@ -26,7 +28,17 @@ nlohmann::ordered_json machineHere() {
           {"flags", PALPATE_BUILD_FLAGS}};
 }
 
+nlohmann::ordered_json madeBy(const std::string& program) {
+  return {{"program", program},
+          {"version", versionHere()},
+          {"commit", commitHere()},
+          {"build", buildHere()},
+          {"vectors", haptics::lanes::targetName()}};
+}
+
 std::string versionHere() { return PALPATE_VERSION; }
+
+std::string commitHere() { return kCommit; }
 
 std::string buildHere() {
   // of the module with this code: the program, or the library of the window

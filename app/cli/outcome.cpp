@@ -36,8 +36,9 @@ Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
   if (error.kind == haptics::Error::Kind::Correctable) outcome.error += " Add --correct for that.";
   // what cannot be written is not the input's fault
   if (error.reason == "unwritable") outcome.code = Exit::Failed;
-  // a folder with several series and none named is a question of usage
-  if (error.reason == "which-series" || error.reason == "no-such-series")
+  // a name that does not exist, or a folder with several series and none named, is wrong usage
+  if (error.reason == "which-series" || error.reason == "no-such-series" ||
+      error.reason == "unknown-name")
     outcome.code = Exit::Usage;
   if (outcome.json.is_null()) outcome.json = nlohmann::ordered_json::object();
   if (!error.reason.empty() && !outcome.json.contains("reasons") && outcome.code == Exit::Refused) {

@@ -33,16 +33,27 @@ std::optional<VolumeHash> hashHere(const haptics::Volume& volume) {
 #endif
 }
 
+std::optional<std::string> openHashOf(const haptics::Volume& volume) {
+#ifdef PALPATE_READERS
+  return openHashOfVoxels(volume);
+#else
+  (void)volume;
+  return {};
+#endif
+}
+
 Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& path,
                                                           haptics::ClosedLoop& loop,
-                                                          std::string tool) {
+                                                          std::string tool,
+                                                          const nlohmann::ordered_json& about) {
   namespace fs = std::filesystem;
   std::error_code error;
   const fs::path target = fs::weakly_canonical(path, error);
   if (error || (fs::exists(target, error) && !fs::is_regular_file(target, error)))
     return tl::unexpected(haptics::Error{
         haptics::Error::Kind::Unsupported, {"output-no-regular-file", {path}}, "unwritable"});
-  auto recorder = Recorder::create(target, recordingFacts(), {.rate = loop.rate});
+  auto recorder =
+      Recorder::create(target, recordingFacts("palpate-cli", about), {.rate = loop.rate});
   if (!recorder) return tl::unexpected(recorder.error());
   const auto id = static_cast<std::uint32_t>(loop.scene->id);
   (*recorder)->describe(loop.scene, std::move(tool));

@@ -69,7 +69,7 @@ Outcome replay(const ReplayOptions& options) {
   }
   if (failed) return refused(*failed);
 
-  const RecordingFacts here = recordingFacts();
+  const RecordingFacts here = recordingFacts("palpate-cli");
   Outcome outcome;
   outcome.json["steps"] = difference->steps;
   outcome.json["skipped"] = difference->skipped;

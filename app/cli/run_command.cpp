@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
 
+#include "app/build_info/build_info.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
+#include "app/export/facts.h"
 #include "app/measurement/quantile.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/servo/servo_tick.h"
@@ -26,6 +32,8 @@ namespace app::cli {
 namespace {
 
 constexpr double kDepth = 0.008;  // m that a hand brings the device beyond the surface
+constexpr std::int64_t kUnitsPerMicrosecond = 100;  // of counted work
+constexpr int kSchema = 1;  // of the report; run.schema.json says what may change
 
 struct RunOptions {
   VolumeChoice volume;
@@ -38,11 +46,19 @@ struct RunOptions {
   double friction = 0.0;
   std::string field = "trilinear";
   std::string normal = "central";
+  haptics::Fineness fineness = {};
+  std::int64_t budget_us = 0;  ///< counted, 10 ns a unit; 0: what the rate gives
   std::string device = {};
   int rate = haptics::ServoRate{}.hz;
   std::string trace = {};
   std::string record = {};
   std::uint64_t seed = 1;
+  bool epoch = false, open_hash = false;
+
+  std::int64_t budget_work() const {
+    return budget_us > 0 ? budget_us * kUnitsPerMicrosecond
+                         : haptics::ServoRate{rate}.budget_work();
+  }
 };
 
 const std::map<std::string, haptics::HandMotion>& motions() {
@@ -86,13 +102,15 @@ CLI::Range within(haptics::Range range) { return {range.least, range.most}; }
 /// What is told of a run, gathered row by row.
 struct Tally {
   std::vector<double> tick_us;
-  std::int64_t ticks = 0, contact_ticks = 0, non_finite = 0;
+  std::int64_t ticks = 0, contact_ticks = 0, non_finite = 0, work = 0, cut = 0;
   int most_contacts = 0;
-  double penetration_mm = 0.0, coupling_m = 0.0, force = 0.0, torque = 0.0;
+  double penetration_mm = 0.0, apart_m = 0.0, coupling_m = 0.0, force = 0.0, torque = 0.0;
 
   void add(const haptics::TraceRow& row, const haptics::Scene& scene, double isovalue) {
     ++ticks;
     tick_us.push_back(double(row.cpu_ns) * 1e-3);
+    work += row.work;
+    cut += row.cut_at > 0;
     // the norms, too: a force may be finite and its size not
     if (!row.X_WP.matrix().allFinite() || !std::isfinite(row.coupling_W.force.norm()) ||
         !std::isfinite(row.coupling_W.torque.norm())) {
@@ -109,6 +127,7 @@ struct Tally {
     const Eigen::AngleAxisd turn{row.X_WD.linear() * row.X_WP.linear().transpose()};
     const haptics::Twist apart{row.X_WD.translation() - row.X_WP.translation(),
                                turn.angle() * turn.axis()};
+    apart_m += apart.linear.norm();
     coupling_m += scene.metric.whitened(apart, row.X_WP.linear()).norm();
   }
 
@@ -118,37 +137,47 @@ struct Tally {
     const auto quantile = [&](double q) { return measurement::quantile(sorted, q); };
     nlohmann::ordered_json json;
     json["ticks"] = ticks;
-    json["mean_us"] =
-        sorted.empty() ? 0.0
-                       : std::accumulate(sorted.begin(), sorted.end(), 0.0) / double(sorted.size());
+    const double all_us = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+    json["mean_us"] = sorted.empty() ? 0.0 : all_us / double(sorted.size());
     json["p50_us"] = quantile(0.5);
     json["p99_us"] = quantile(0.99);
     json["max_us"] = quantile(1.0);
     json["contact_ticks"] = contact_ticks;
     json["max_contacts"] = most_contacts;
     json["max_penetration_mm"] = penetration_mm;
-    json["coupling_mm"] = contact_ticks > 0 ? coupling_m / double(contact_ticks) * 1e3 : 0.0;
+    json["penetration_judged_by"] = "palpate-cli itself, with the arithmetic of its own field";
+    const auto meanInContact = [&](double sum) {
+      return contact_ticks > 0 ? sum / double(contact_ticks) * 1e3 : 0.0;
+    };
+    json["coupling_mm"] = meanInContact(apart_m);
+    json["coupling_metric_mm"] = meanInContact(coupling_m);
     json["max_force_N"] = force;
     json["max_torque_Nm"] = torque;
     json["nonfinite"] = non_finite;
+    json["cut_ticks"] = cut;
+    json["work_per_tick"] = ticks > 0 ? double(work) / double(ticks) : 0.0;
+    json["ns_per_unit"] = work > 0 ? all_us * 1e3 / double(work) : 0.0;
     return json;
   }
 };
 
-haptics::Expected<haptics::Hand> handFor(const RunOptions& options, const haptics::Scene& scene,
-                                         const haptics::Grip& grip) {
+haptics::Expected<RecordedHand> handFor(const RunOptions& options, const haptics::Scene& scene,
+                                        const haptics::Grip& grip) {
   const auto found = motions().find(options.hand);
   if (found == motions().end()) {
     if (options.hand.find('.') == std::string::npos) {
       std::string names;
       for (const auto& [name, motion] : motions()) names += (names.empty() ? "" : ", ") + name;
       return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
-                                           {"name-or-file-unknown", {options.hand, names}}});
+                                           {"name-or-file-unknown", {options.hand, names}},
+                                           "unknown-name"});
     }
     return readHand(options.hand);
   }
   const double reach = haptics::Hand::reachFor(kDepth, options.stiffness, grip.stiffness);
-  return haptics::Hand::aimed(found->second, scene, options.isovalue, reach, options.seed);
+  auto aimed = haptics::Hand::aimed(found->second, scene, options.isovalue, reach, options.seed);
+  if (!aimed) return tl::unexpected(aimed.error());
+  return RecordedHand{std::move(*aimed), INFINITY};
 }
 
 /// N/m: what the loop may carry: our grip, and the device whose limits are taken. None where the
@@ -181,6 +210,89 @@ std::string nameOf(const ToolChoice& choice) {
   return resources::findNamedTool(choice.name) != nullptr ? choice.name : std::string{};
 }
 
+/// All that decides a run: one number or word for each name, and lists of numbers.
+nlohmann::ordered_json settingsOf(const RunOptions& options, const haptics::Scene& scene) {
+  const haptics::Volume& volume = *scene.volume;
+  const haptics::Vec3 spacing_mm = volume.grid.spacing * 1e3,
+                      origin_mm = scene.tool.shell.origin * 1e3;
+  const bool scripted = motions().contains(options.hand);
+  const std::string tool = nameOf(options.tool);
+  nlohmann::ordered_json json{
+      {"scene", options.volume.phantom.empty() ? "file" : options.volume.phantom},
+      {"dims", volume.grid.dims},
+      {"spacing_mm", {spacing_mm.x(), spacing_mm.y(), spacing_mm.z()}},
+      {"scalar", haptics::nameOf(volume.type)},
+      {"range", {volume.least, volume.greatest}},
+      {"unit", volume.unit},
+      {"isovalue", options.isovalue},
+      {"field", options.field},
+      {"normals", options.normal},
+      {"epsilon_voxels", options.fineness.epsilon},
+      {"sub_steps", options.fineness.sub_steps},
+      {"rate_Hz", options.rate},
+      {"budget_work", options.budget_work()},
+      {"budget_clock", "counted work, which repeats; not time"},
+      {"stiffness_N_m", options.stiffness},
+      {"angular_stiffness_Nm_rad", options.angular_stiffness},
+      {"friction", options.friction},
+      {"hand", scripted ? options.hand : "file"},
+      {"seconds", options.seconds},
+      {"device", options.device.empty() ? "none" : options.device},
+      {"tool", tool.empty() ? "file" : tool},
+      {"points", scene.tool.shell.points.size()},
+      {"tool_origin_mm", {origin_mm.x(), origin_mm.y(), origin_mm.z()}}};
+  if (scripted) json["seed"] = options.seed;
+  return json;
+}
+
+/// What a recording tells of the run that is not in its steps and scenes.
+nlohmann::ordered_json aboutOf(const nlohmann::ordered_json& settings) {
+  nlohmann::ordered_json about;
+  for (const char* name : {"scene", "hand", "seed", "device", "budget_work", "budget_clock"})
+    if (settings.contains(name)) about[std::string{"run_"} + name] = settings[name];
+  return about;
+}
+
+/// What stands beside a trace: the same, and what its columns mean.
+std::string besideTrace(const nlohmann::ordered_json& settings) {
+  nlohmann::ordered_json json{{"schema", kSchema},
+                              {"made_by", madeBy("palpate-cli")},
+                              {"settings", settings},
+                              {"conventions", exporting::conventions()}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// Where a trace has its sidecar; none where it goes into a pipe or a device.
+std::optional<std::string> sidecarOf(const std::string& trace) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (trace.empty() || (fs::exists(trace, ignored) && !fs::is_regular_file(trace, ignored)))
+    return {};
+  return fs::path{trace}.replace_extension(".trace.json").string();
+}
+
+/// Tells on a terminal how far a run is, from five seconds on.
+class Progress {
+ public:
+  explicit Progress(std::int64_t ticks) : ticks_{ticks}, shown_{::isatty(STDERR_FILENO) == 1} {}
+  void at(std::int64_t tick) {
+    if (!shown_ || tick % 64 != 0) return;
+    const auto now = Clock::now();
+    if (now - told_ < std::chrono::seconds{5}) return;
+    told_ = now;
+    const double share = double(tick) / double(ticks_);
+    const double left = std::chrono::duration<double>(now - begun_).count() * (1.0 / share - 1.0);
+    tell(std::to_string(std::llround(100.0 * share)) + " % of the run, about " +
+         std::to_string(std::llround(left)) + " s left.");
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::int64_t ticks_;
+  bool shown_;
+  Clock::time_point begun_ = Clock::now(), told_ = begun_;
+};
+
 Outcome run(const RunOptions& options) {
   if (options.volume.path.empty() == options.volume.phantom.empty())
     return usage("run needs either --volume or --phantom.");
@@ -204,6 +316,10 @@ Outcome run(const RunOptions& options) {
   std::vector<Target> targets;
   if (!options.trace.empty()) targets.push_back({"--trace", options.trace});
   if (!options.record.empty()) targets.push_back({"--record", options.record});
+  const std::optional<std::string> sidecar = sidecarOf(options.trace);
+  if (sidecar) targets.push_back({"the description of --trace", *sidecar});
+  if (options.record.empty() && (options.epoch || options.open_hash))
+    return usage("--epoch and --open-hash are for a recording; add --record FILE.palpate.");
   if (const auto wrong = overwritten(targets, options.volume, {options.tool.name, options.hand}))
     return usage(*wrong);
   auto loaded = loadTool(options.tool);
@@ -211,6 +327,10 @@ Outcome run(const RunOptions& options) {
   for (const haptics::Message& warning : loaded->warnings) tell(resources::sentence(warning));
   auto volume = loadVolume(options.volume);
   if (!volume) return refused(volume.error());
+  if (!((*volume)->greatest > (*volume)->least))
+    return refused({haptics::Error::Kind::Unsupported,
+                    {"volume-constant", {nlohmann::json((*volume)->least).dump()}},
+                    "nothing-inside"});
   if (options.isovalue <= (*volume)->least)
     return refused(
         {haptics::Error::Kind::Unsupported,
@@ -218,7 +338,9 @@ Outcome run(const RunOptions& options) {
           {nlohmann::json(options.isovalue).dump(), nlohmann::json((*volume)->least).dump()}},
          "isovalue"});
   auto scene = haptics::makeScene(*volume, std::move(loaded->tool),
-                                  {fields().at(options.field), normals().at(options.normal)});
+                                  {.field = fields().at(options.field),
+                                   .normal = normals().at(options.normal),
+                                   .fineness = options.fineness});
   if (!scene) return refused(scene.error());
 
   haptics::ClosedLoop loop{*scene,
@@ -230,6 +352,7 @@ Outcome run(const RunOptions& options) {
                            {},
                            !motions().contains(options.hand),
                            {options.rate}};
+  loop.budget_work = options.budget_work();
   loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
@@ -240,6 +363,7 @@ Outcome run(const RunOptions& options) {
 
   if (interrupted()) return stopped();
   const Closing held;
+  const nlohmann::ordered_json settings = settingsOf(options, **scene);
   std::unique_ptr<TraceWriter> trace;
   if (!options.trace.empty()) {
     auto opened = TraceWriter::open(options.trace);
@@ -248,15 +372,32 @@ Outcome run(const RunOptions& options) {
   }
   std::unique_ptr<RecordedRun> recorded;
   if (!options.record.empty()) {
-    auto begun = RecordedRun::begin(options.record, loop, nameOf(options.tool));
+    nlohmann::ordered_json about = aboutOf(settings);
+    if (options.epoch) {
+      about["began_unix_ns"] = std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                   std::chrono::system_clock::now().time_since_epoch())
+                                   .count();
+      tell("The recording states when it began, and so do its exports: --epoch.");
+    }
+    if (options.open_hash) {
+      const auto hash = openHashOf(**volume);
+      if (!hash) return failed("This build has no open hash; use one with the window.");
+      about["voxels_sha256"] = *hash;
+      tell(
+          "The recording holds an open hash, by which anybody who has this volume recognises it, "
+          "and so do its exports: --open-hash.");
+    }
+    auto begun = RecordedRun::begin(options.record, loop, nameOf(options.tool), about);
     if (!begun) return failed(resources::sentence(begun.error()));
     recorded = std::move(*begun);
   }
   Tally tally;
   bool stopped = false;
   const auto ticks = static_cast<std::int64_t>(std::llround(options.seconds * options.rate));
-  const auto done = loop.run(*hand, ticks, [&](const haptics::TraceRow& row) {
+  Progress progress{ticks};
+  const auto done = loop.run(hand->hand, ticks, [&](const haptics::TraceRow& row) {
     tally.add(row, **scene, options.isovalue);
+    progress.at(tally.ticks);
     if (trace) trace->write(row);
     if (recorded) recorded->write(row);
     stopped = stopped || interrupted();
@@ -264,7 +405,13 @@ Outcome run(const RunOptions& options) {
   });
   if (!done) return refused(done.error());
   Outcome outcome;
-  outcome.json = tally.report();
+  outcome.json["schema"] = kSchema;
+  outcome.json.update(tally.report());
+  if (hand->seconds < options.seconds) {
+    outcome.json["hand_ended_s"] = hand->seconds;
+    tell("The hand's file ended after " + nlohmann::json(hand->seconds).dump() +
+         " s; from then on it held its last pose.");
+  }
   outcome.aside = !options.trace.empty() && isStandardOutput(options.trace);
   if (allowed) outcome.json["allowed_stiffness_N_m"] = *allowed;
   for (const haptics::Structure& built : (*scene)->structures)
@@ -274,8 +421,11 @@ Outcome run(const RunOptions& options) {
     const haptics::SmoothingEffect effect = haptics::smoothingEffect(**volume, options.isovalue);
     outcome.json["smoothing"] = {{"erased_share", effect.erased}, {"gained_share", effect.gained}};
   }
+  outcome.json["settings"] = settings;
+  outcome.json["made_by"] = madeBy("palpate-cli");
   // both are finished before one is judged
-  const auto traced = trace ? trace->finish() : haptics::Expected<void>{};
+  auto traced = trace ? trace->finish() : haptics::Expected<void>{};
+  if (traced && sidecar) traced = haptics::writeFile(*sidecar, besideTrace(settings));
   if (recorded) {
     const auto finished = recorded->finish();
     if (!finished) return {Exit::Failed, outcome.json, {}, resources::sentence(finished.error())};
@@ -339,10 +489,26 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->add_option("--friction", options->friction,
                    "Coulomb's coefficient between tool and surface")
       ->check(finiteNumber() & within(haptics::kFrictionRange));
+  command
+      ->add_option("--epsilon", options->fineness.epsilon,
+                   "Distance that counts as contact, in voxels")
+      ->check(finiteNumber() & CLI::Range(0.001, 0.999))
+      ->capture_default_str();
+  command
+      ->add_option("--sub-steps", options->fineness.sub_steps,
+                   "Most motions in a millisecond that contacts shape or stop")
+      ->check(wholeNumber(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--budget", options->budget_us,
+          "What a tick may spend, counted: 100 units of work for each us; without it as the "
+          "rate has it")
+      ->check(wholeNumber(1, 1'000'000));
   command->add_option("--field", options->field, "How voxels become a field: trilinear, spline")
       ->check(CLI::IsMember(namesIn(fields())));
   command
-      ->add_option("--normal", options->normal,
+      ->add_option("--normal,--normals", options->normal,
                    "Normals of points near the surface: central, cell, spline")
       ->check(CLI::IsMember(namesIn(normals())));
   command
@@ -356,6 +522,10 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(notEmpty());
   command->add_option("--record", options->record, "Recording to write, NAME.palpate")
       ->check(notEmpty());
+  command->add_flag("--epoch", options->epoch,
+                    "Write into the recording when it began, to join it with other recordings");
+  command->add_flag("--open-hash", options->open_hash,
+                    "Write a hash of the voxels into the recording that anybody can compare");
   command->add_option("--seed", options->seed, "Seed of the hand's aim")
       ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()));
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

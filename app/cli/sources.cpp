@@ -58,11 +58,26 @@ std::optional<std::vector<double>> numbersIn(std::string_view line) {
   return row;
 }
 
+/// The names in the first line of a CSV, without blanks around them and quotes.
+std::vector<std::string> namesIn(std::string_view line) {
+  constexpr std::string_view kAround = " \t\r\"";
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t end = std::min(line.find(',', at), line.size());
+    std::string_view name = line.substr(at, end - at);
+    name.remove_prefix(std::min(name.find_first_not_of(kAround), name.size()));
+    name = name.substr(0, name.find_last_not_of(kAround) + 1);
+    names.emplace_back(name);
+    at = end + 1;
+  }
+  return names;
+}
+
 haptics::Expected<LoadedTool> toolFromPoints(const ToolChoice& choice) {
   auto rows = readNumbers(choice.name, 3);
   if (!rows) return tl::unexpected(rows.error());
   std::vector<haptics::Vec3> points;
-  for (const std::vector<double>& row : *rows) points.emplace_back(row[0], row[1], row[2]);
+  for (const std::vector<double>& row : rows->rows) points.emplace_back(row[0], row[1], row[2]);
   auto shell = haptics::makeShell(std::move(points));
   if (!shell) return tl::unexpected(shell.error());
   LoadedTool loaded{{"points", {}, std::move(*shell)}, {}};
@@ -131,8 +146,9 @@ haptics::Expected<LoadedTool> loadTool(const ToolChoice& choice) {
   }
   if (isPointFile(choice)) return toolFromPoints(choice);
   if (!std::filesystem::path(choice.name).has_extension() && !std::filesystem::exists(choice.name))
-    return tl::unexpected(Error{
-        Error::Kind::NotFound, {"name-or-file-unknown", {choice.name, resources::namesOfTools()}}});
+    return tl::unexpected(Error{Error::Kind::NotFound,
+                                {"name-or-file-unknown", {choice.name, resources::namesOfTools()}},
+                                "unknown-name"});
 #ifdef PALPATE_READERS
   const std::string named_unit = choice.unit.value_or("mm");
   const auto unit = datasets::meshUnitNamed(named_unit);
@@ -206,8 +222,7 @@ haptics::Expected<ViewFile> viewOver(const std::string& path, const haptics::Vol
   return view;
 }
 
-haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
-                                                                std::size_t columns) {
+haptics::Expected<NumberTable> readNumbers(const std::string& path, std::size_t columns) {
   haptics::keepInput(path);
   auto file = haptics::openInput(path, kLargestTable);
   if (!file) return tl::unexpected(std::move(file.error()));
@@ -219,10 +234,9 @@ haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::strin
   LineRead read = haptics::takeLine(*file, line, kLongestLine);
   if (read == LineRead::End) return malformed({"table-empty", {path}});
   if (read == LineRead::TooLong) return tooLong(1);
-  const auto names = static_cast<std::size_t>(std::ranges::count(line, ',')) + 1;
+  NumberTable table{namesIn(line), {}, {}};
   if (const auto numbers = numbersIn(line); numbers && !numbers->empty())
     return malformed({"table-no-names", {path}});
-  std::vector<std::vector<double>> rows;
   for (std::size_t number = 2;
        (read = haptics::takeLine(*file, line, kLongestLine)) != LineRead::End; ++number) {
     if (read == LineRead::TooLong) return tooLong(number);
@@ -232,11 +246,16 @@ haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::strin
       return malformed(
           {"table-row-short", {path, std::to_string(columns), std::to_string(number)}});
     // "0,5,1,5": decimal commas
-    if (row->size() > names) return malformed({"table-row-long", {path, std::to_string(number)}});
-    rows.push_back(std::move(*row));
+    if (row->size() > table.names.size())
+      return malformed({"table-row-long", {path, std::to_string(number)}});
+    for (std::size_t c = 0; c < columns; ++c)
+      if (!std::isfinite((*row)[c]))
+        return malformed({"table-not-finite", {path, table.names[c], std::to_string(number)}});
+    table.rows.push_back(std::move(*row));
+    table.lines.push_back(number);
   }
-  if (rows.empty()) return malformed({"table-empty", {path}});
-  return rows;
+  if (table.rows.empty()) return malformed({"table-empty", {path}});
+  return table;
 }
 
 }  // namespace app::cli

@@ -66,9 +66,14 @@ std::optional<std::string> overwritten(const std::vector<Target>& targets,
                                        const VolumeChoice& volume,
                                        const std::vector<std::string>& inputs);
 
-/// Reads rows of numbers after one header line. Every row must have at least `columns` numbers. A
-/// first line of numbers is refused, since it would be lost.
-haptics::Expected<std::vector<std::vector<double>>> readNumbers(const std::string& path,
-                                                                std::size_t columns);
+/// Rows of numbers after one line of names.
+struct NumberTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> rows;
+  std::vector<std::size_t> lines;  ///< the line of each row in its file, from 1
+};
+/// Reads one. Every row must have at least `columns` finite numbers. A first line of numbers is
+/// refused, since it would be lost.
+haptics::Expected<NumberTable> readNumbers(const std::string& path, std::size_t columns);
 
 }  // namespace app::cli

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/trace.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "app/cli/sources.h"
 
@@ -10,6 +14,30 @@ namespace app::cli {
 namespace {
 
 using haptics::Error;
+
+/// A column of a hand: its name in a trace, and other names that mean the same.
+struct HandColumn {
+  const char* name;
+  std::array<std::string_view, 4> others;
+};
+constexpr std::array<HandColumn, 8> kHandColumns{{
+    {"t_s", {"t", "time", "time_s", "seconds"}},
+    {"device_x_m", {"x", "x_m", "device_x", "px"}},
+    {"device_y_m", {"y", "y_m", "device_y", "py"}},
+    {"device_z_m", {"z", "z_m", "device_z", "pz"}},
+    {"device_qw", {"qw", "w", "quat_w", "device_quat_w"}},
+    {"device_qx", {"qx", "i", "quat_x", "device_quat_x"}},
+    {"device_qy", {"qy", "j", "quat_y", "device_quat_y"}},
+    {"device_qz", {"qz", "k", "quat_z", "device_quat_z"}},
+}};
+
+bool isCalled(const std::string& name, const HandColumn& column) {
+  const auto same = [&](std::string_view other) {
+    return std::ranges::equal(
+        name, other, [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+  };
+  return same(column.name) || std::ranges::any_of(column.others, same);
+}
 
 }  // namespace
 
@@ -47,23 +75,40 @@ haptics::Expected<void> TraceWriter::finish() {
   return {};
 }
 
-haptics::Expected<haptics::Hand> readHand(const std::string& path) {
-  auto rows = readNumbers(path, 8);
-  if (!rows) return tl::unexpected(rows.error());
+haptics::Expected<RecordedHand> readHand(const std::string& path) {
+  auto table = readNumbers(path, kHandColumns.size());
+  if (!table) return tl::unexpected(table.error());
+  const auto refused = [](haptics::Message why) {
+    return tl::unexpected(Error{Error::Kind::Malformed, std::move(why)});
+  };
+  for (std::size_t c = 0; c < kHandColumns.size(); ++c)
+    if (!isCalled(table->names[c], kHandColumns[c])) {
+      std::string all;
+      for (const HandColumn& column : kHandColumns)
+        all += (all.empty() ? "" : ", ") + std::string{column.name};
+      return refused({"poses-names",
+                      {path, std::to_string(c + 1), table->names[c], kHandColumns[c].name, all}});
+    }
   std::vector<double> times;
   std::vector<haptics::Pose> poses;
-  for (const std::vector<double>& row : *rows) {
+  for (std::size_t n = 0; n < table->rows.size(); ++n) {
+    const std::vector<double>& row = table->rows[n];
+    const std::string line = std::to_string(table->lines[n]);
     const haptics::Quat q{row[4], row[5], row[6], row[7]};
-    if (!(q.norm() > 0.5 && q.norm() < 2.0))
-      return tl::unexpected(Error{Error::Kind::Malformed, {"poses-no-rotation", {path}}});
+    if (!(q.norm() > 0.5 && q.norm() < 2.0)) return refused({"poses-no-rotation", {path, line}});
     constexpr double kFarthest = 100.0;  // m
     for (std::size_t c = 1; c < 4; ++c)
-      if (!(std::abs(row[c]) <= kFarthest))
-        return tl::unexpected(Error{Error::Kind::Malformed, {"poses-too-far", {path}}});
-    times.push_back(row[0]);
+      if (!(std::abs(row[c]) <= kFarthest)) return refused({"poses-too-far", {path, line}});
+    // whatever its clock says, the hand starts with its first row
+    const double time = row[0] - table->rows.front()[0];
+    if (!times.empty() && !(time > times.back())) return refused({"poses-time", {path, line}});
+    times.push_back(time);
     poses.push_back(haptics::poseOf({row[1], row[2], row[3]}, q));
   }
-  return haptics::Hand::along(std::move(times), std::move(poses));
+  const double seconds = times.back();
+  auto hand = haptics::Hand::along(std::move(times), std::move(poses));
+  if (!hand) return tl::unexpected(hand.error());
+  return RecordedHand{std::move(*hand), seconds};
 }
 
 }  // namespace app::cli

@@ -24,7 +24,12 @@ class TraceWriter {
   haptics::OutputFile file_;
 };
 
-/// Reads a hand from the first eight columns of a trace.
-haptics::Expected<haptics::Hand> readHand(const std::string& path);
+/// A hand from a file, which begins at time 0, and its last time [s].
+struct RecordedHand {
+  haptics::Hand hand;
+  double seconds = 0.0;
+};
+/// Reads a hand from the first eight columns of a trace, whose names are checked.
+haptics::Expected<RecordedHand> readHand(const std::string& path);
 
 }  // namespace app::cli

@@ -151,8 +151,12 @@ ordered_json frameOf(const Recording& recording) {
   ordered_json frame;
   if (known) frame["SpatialAxes"] = "LPS";
   frame["RotationRule"] = "right-hand";
-  frame["Description"] = known ? "The scan's patient coordinates (DICOM): left, posterior, superior"
-                               : "The scan's own axes; it does not say how the patient lay in them";
+  std::string words = known ? "The scan's patient coordinates (DICOM): left, posterior, superior"
+                            : "The scan's own axes; it does not say how the patient lay in them";
+  words += ".";
+  const ordered_json meant = conventions();
+  for (const auto& [name, sentence] : meant.items()) words += " " + sentence.get<std::string>();
+  frame["Description"] = words;
   return frame;
 }
 

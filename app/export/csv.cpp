@@ -49,6 +49,9 @@ std::string dictionaryOf(const Recording& recording, const std::vector<Channel>&
   ordered_json dictionary;
   dictionary["table"] = "One row for each step of the servo loop; an empty field has no value";
   dictionary["frame"] = frameOf(recording)["Description"];
+  dictionary["scenes"] = ordered_json::object();
+  for (const RecordedScene& scene : recording.scenes())
+    dictionary["scenes"][std::to_string(scene.id)] = factsOf(scene);
   ordered_json& described = dictionary["columns"];
   for (const Channel& column : columns) {
     ordered_json& one = described[column.name];

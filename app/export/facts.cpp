@@ -2,6 +2,7 @@
 #include "app/export/facts.h"
 
 #include "app/export/text.h"
+#include "haptics/process/input_file.h"
 
 namespace app::exporting {
 
@@ -10,6 +11,8 @@ using nlohmann::ordered_json;
 namespace {
 
 ordered_json listOf(const haptics::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+constexpr int kExportVersion = 1;  // README.md says what may change
 
 std::string hexOf(const VolumeHash& hash) {
   constexpr char kDigits[] = "0123456789abcdef";
@@ -23,14 +26,56 @@ std::string hexOf(const VolumeHash& hash) {
 
 }  // namespace
 
+ordered_json conventions() {
+  return {
+      {"quaternion",
+       "A quaternion w, x, y, z turns the tool's coordinates into the scan's: a point of the tool "
+       "is at q p q* + position; w is never negative."},
+      {"tool_origin",
+       "A position is that of the tool's origin, the centroid of its points, which lies at "
+       "tool_origin in the frame of the tool's own file."},
+      {"force_law",
+       "Before the device's limits and the force scale, the force on the hand is the stiffness "
+       "times the way from device to proxy, and the torque about the device's origin is the "
+       "angular stiffness times the rotation vector from device to proxy; an angular stiffness of "
+       "0 stands for the stiffness times the tool's mean inertia about that axis."}};
+}
+
+namespace {
+
+/// How a run was asked for, as the recording tells it; nothing of what it does not tell rightly.
+void tellAbout(const Recording& recording, ordered_json& facts) {
+  const std::string& about = recording.about();
+  if (about.empty() || haptics::isNestedDeeper(about, haptics::kDeepestJson)) return;
+  const ordered_json told = ordered_json::parse(about, nullptr, false);
+  if (!told.is_object()) return;
+  for (const char* name :
+       {"program", "commit", "run_scene", "run_hand", "run_device", "run_budget_clock"})
+    if (told.contains(name) && told[name].is_string())
+      facts[name] = plain(told[name].get<std::string>());
+  for (const char* name : {"run_seed", "run_budget_work", "began_unix_ns"})
+    if (told.contains(name) && told[name].is_number_integer()) facts[name] = told[name];
+  if (told.contains("voxels_sha256") && told["voxels_sha256"].is_string())
+    facts["voxels_sha256"] = plain(told["voxels_sha256"].get<std::string>());
+}
+
+}  // namespace
+
 ordered_json factsOf(const Recording& recording) {
-  return {{"palpate", plain(recording.version())},
-          {"build", plain(recording.build())},
-          {"machine", plain(recording.machine())},
-          {"vectors", plain(recording.vectors())},
-          {"frame", "the scan's, metres: patient LPS where a scene's orientation is known"},
-          {"steps", recording.stepCount()},
-          {"lost_steps", recording.lostCount()}};
+  ordered_json facts{{"export_version", kExportVersion}, {"palpate", plain(recording.version())}};
+  tellAbout(recording, facts);
+  int rate = haptics::ServoRate{}.hz;
+  for (const haptics::ProxyStart& start : recording.starts()) rate = start.rate.hz;
+  facts.update(ordered_json{
+      {"build", plain(recording.build())},
+      {"machine", plain(recording.machine())},
+      {"vectors", plain(recording.vectors())},
+      {"rate_Hz", rate},
+      {"frame", "the scan's, metres: patient LPS where a scene's orientation is known"},
+      {"steps", recording.stepCount()},
+      {"lost_steps", recording.lostCount()}});
+  facts.update(conventions());
+  return facts;
 }
 
 ordered_json factsOf(const RecordedScene& scene) {
@@ -38,6 +83,10 @@ ordered_json factsOf(const RecordedScene& scene) {
   const haptics::Mat3& direction = volume.grid.direction;
   ordered_json facts = {
       {"tool", plain(scene.tool.name)},
+      {"field", nameOf(scene.options.field)},
+      {"normals", nameOf(scene.options.normal)},
+      {"epsilon_voxels", scene.options.fineness.epsilon},
+      {"sub_steps", scene.options.fineness.sub_steps},
       {"points", scene.tool.shell.points.size()},
       {"tool_origin_m", listOf(scene.tool.shell.origin)},
       {"dims", volume.grid.dims},

@@ -7,6 +7,9 @@
 
 namespace app::exporting {
 
+/// What the numbers mean, a sentence for each: the quaternion's direction, the tool's origin, the
+/// law of the force.
+nlohmann::ordered_json conventions();
 /// Metadata of a recording: texts and numbers.
 nlohmann::ordered_json factsOf(const Recording& recording);
 /// Metadata of a scene: texts, booleans, numbers, and lists of numbers, also as the rows of a

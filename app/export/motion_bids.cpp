@@ -7,6 +7,7 @@
 
 #include "app/export/channels.h"
 #include "app/export/export.h"
+#include "app/export/facts.h"
 #include "app/export/selection.h"
 #include "app/export/text.h"
 #include "haptics/process/output_file.h"
@@ -42,8 +43,15 @@ ordered_json framesOf(const Recording& recording) {
 
 /// What made the recording.
 std::string softwareOf(const Recording& recording) {
-  return "Palpate " + plain(recording.version()) + ", build " + plain(recording.build()) +
-         ", vectors " + plain(recording.vectors()) + ", on " + plain(recording.machine());
+  std::string words = "Palpate " + plain(recording.version()) + ", build " +
+                      plain(recording.build()) + ", vectors " + plain(recording.vectors()) +
+                      ", on " + plain(recording.machine());
+  const ordered_json facts = factsOf(recording);
+  for (const auto& [name, value] : facts.items())
+    if (name == "program" || name == "commit" || name.starts_with("run_") ||
+        name == "began_unix_ns" || name == "voxels_sha256" || name == "export_version")
+      words += ", " + name + " " + (value.is_string() ? value.get<std::string>() : value.dump());
+  return words;
 }
 
 /// Hz, nominal: the highest at which the servo loop ran.

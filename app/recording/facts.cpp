@@ -5,6 +5,10 @@
 
 namespace app {
 
-RecordingFacts recordingFacts() { return {versionHere(), buildHere(), machineHere().dump()}; }
+RecordingFacts recordingFacts(const std::string& program, const nlohmann::ordered_json& run) {
+  nlohmann::ordered_json about{{"program", program}, {"commit", commitHere()}};
+  about.update(run);
+  return {versionHere(), buildHere(), machineHere().dump(), about.dump()};
+}
 
 }  // namespace app

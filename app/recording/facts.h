@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nlohmann/json.hpp>
+#include <string>
+
 #include "app/recording/recorder.h"
 
 namespace app {
 
-/// Version, build and machine for a recording made by this program: only facts on which its numbers
-/// depend, and no name of a user or host.
-RecordingFacts recordingFacts();
+/// Version, commit, build and machine for a recording made by this program: only facts on which its
+/// numbers depend, and no name of a user or host. `run`: how a run was asked for, one number or
+/// word for each name.
+RecordingFacts recordingFacts(const std::string& program,
+                              const nlohmann::ordered_json& run = nlohmann::ordered_json::object());
 
 }  // namespace app

@@ -515,7 +515,7 @@ haptics::Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& ta
   };
   if (!database->run(setup.c_str()) || !say("palpate", facts.version) ||
       !say("build", facts.build) || !say("machine", facts.machine) ||
-      !say("vectors", haptics::lanes::targetName()) || !say("step_layout", stepLayout(layout)) ||
+      !say("about", facts.about) || !say("vectors", haptics::lanes::targetName()) || !say("step_layout", stepLayout(layout)) ||
       !say("contact_layout", contactLayout(layout)) || !database->run("COMMIT")) {
     const haptics::Message why = complaintOf(*database);
     database.reset();

@@ -20,6 +20,7 @@ struct RecordingFacts {
   std::string version;  ///< of Palpate
   std::string build;    ///< one word; programs with the same build give the same numbers
   std::string machine;  ///< processor, cores, memory
+  std::string about = {};  ///< JSON: program, commit, and how a run was asked for
 };
 
 /// Progress of a recording.

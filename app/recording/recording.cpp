@@ -94,6 +94,7 @@ haptics::Expected<void> Recording::read() {
     if (key == "build") build_ = meta.text(1);
     if (key == "machine") machine_ = meta.text(1);
     if (key == "vectors") vectors_ = meta.text(1);
+    if (key == "about") about_ = meta.text(1);
   }
   if (at == Statement::Step::Failed) return damagedRecording();
   if (auto read = readBlocks(); !read) return read;

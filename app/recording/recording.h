@@ -43,6 +43,8 @@ class Recording {
   const std::string& build() const { return build_; }
   const std::string& machine() const { return machine_; }
   const std::string& vectors() const { return vectors_; }
+  /// JSON: program, commit, and how a run was asked for; empty in recordings of earlier versions.
+  const std::string& about() const { return about_; }
 
   std::int64_t stepCount() const { return step_count_; }
   std::int64_t lostCount() const { return lost_; }  ///< steps lost because the ring was full
@@ -80,7 +82,7 @@ class Recording {
   Database database_;
   std::int64_t bytes_;  ///< of the file
   Layout layout_ = Layout::Exact;
-  std::string version_, build_, machine_, vectors_;
+  std::string version_, build_, machine_, vectors_, about_;
   std::int64_t step_count_ = 0, lost_ = 0;
   std::vector<Entry> blocks_;
   std::vector<RecordedEvent> events_;

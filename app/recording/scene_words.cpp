@@ -242,6 +242,11 @@ void takeVolume(const json& words, haptics::Volume& volume) {
 
 }  // namespace
 
+const char* nameOf(haptics::FieldKind kind) { return nameIn(kFields, kind); }
+const char* nameOf(haptics::NormalKind kind) { return nameIn(kNormals, kind); }
+haptics::FieldKind fieldNamed(const std::string& name) { return valueIn(kFields, name); }
+haptics::NormalKind normalNamed(const std::string& name) { return valueIn(kNormals, name); }
+
 SameVolume compared(const std::optional<VolumeHash>& one, const std::optional<VolumeHash>& other) {
   constexpr int kKeyBytes = 8;
   if (!one || !other || !std::equal(one->begin(), one->begin() + kKeyBytes, other->begin()))

@@ -34,6 +34,13 @@ struct RecordedScene {
   std::uint64_t edits_digest = 0;          ///< Edited::digest; 0 without edits
 };
 
+/// The words by which files and the command line name these choices.
+const char* nameOf(haptics::FieldKind kind);
+const char* nameOf(haptics::NormalKind kind);
+/// The choices of these names, which must exist.
+haptics::FieldKind fieldNamed(const std::string& name);
+haptics::NormalKind normalNamed(const std::string& name);
+
 /// RecordedScene in its stored form: JSON, and compressed numbers.
 struct SceneWords {
   std::string settings, volume;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "app/recording/scene_words.h"
 #include "haptics/core/error.h"
@@ -28,7 +29,11 @@ haptics::Expected<QByteArray> installationKey();
 std::optional<VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray& key,
                                  const std::atomic<bool>& cancel);
 
-/// The same of a file, such as a tool's. Nullopt if it cannot be read or is larger than 1 GB.
+/// SHA-256 of the scan's voxels alone, as they lie in memory: little-endian numbers of their type,
+/// i fastest. In hexadecimal. Everybody who has the voxels can make it, so it identifies a scan.
+std::string openHashOfVoxels(const haptics::Volume& volume);
+
+/// The keyed hash of a file, such as a tool's. Nullopt if it cannot be read or is larger than 1 GB.
 std::optional<VolumeHash> hashOfFile(const std::filesystem::path& path, const QByteArray& key);
 
 }  // namespace app

@@ -19,6 +19,9 @@ struct Phantom {
 
 /// demo, sphere, halfspace, torus, gyroid, wedge, hole, …
 std::vector<std::string> phantomNames();
+/// bunny, engine, bone: rebuilds of scenes of [Chan 2011], Table 1; its fourth is the phantom hole.
+/// makePhantom() knows them too.
+std::vector<std::string> paperSceneNames();
 
 /// Makes a named phantom; deterministic to the bit. An unknown name lists the known ones. Once
 /// `cancel` is true, no further layer is made and the result is Error::Kind::Cancelled.

@@ -46,6 +46,8 @@ SeriesVerdict verdictOf(const StoredVolumes& stored) {
     verdict.reasons.push_back("spacing-unknown");
     verdict.message = bothOf(std::move(verdict.message), {"volume-spacing-unknown", {}});
   }
+  if (stored.voxels.layout.doubles)
+    verdict.message = bothOf(std::move(verdict.message), {"volume-doubles-rounded", {}});
   for (const haptics::Message& note : stored.notes)
     verdict.message = bothOf(std::move(verdict.message), note);
   return verdict;

@@ -69,7 +69,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     observer.add(held, motionBetween(X_WH_before, device.X_WD));
     X_WD = ahead.ahead(link.read(device.X_WD), n * period_ns);
 
-    Budget budget = Budget::counted(rate.budget_work());
+    Budget budget = Budget::counted(budget_work > 0 ? budget_work : rate.budget_work());
     const std::int64_t begun = Budget::threadTime();
     const ServoResult result =
         servoTick({X_WD, settings, StepFlags::kArmed, hooked ? &hook : nullptr}, scene.get(),

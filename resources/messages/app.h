@@ -8,6 +8,10 @@ namespace resources {
 
 inline constexpr Row kApp[] = {
     {"name-or-file-unknown", "There is no \"%1\"; choose one of %2, or a file.", "unknown-name"},
+    {"volume-constant",
+     "Every voxel of the volume is %1, so it has no surface to touch; choose another series, or check "
+     "the file.",
+     "nothing-inside"},
     {"isovalue-below-background",
      "The isovalue %1 is at or below the background %2, where everything would be solid; choose a "
      "higher one.",
@@ -35,12 +39,23 @@ inline constexpr Row kApp[] = {
      "\"%1\" has more numbers in line %2 than names in its first line; write them with decimal "
      "points, separated by commas.",
      "bad-table"},
+    {"table-not-finite", "\"%1\" has a number in column %2 of line %3 that is not finite; mend it.",
+     "bad-table"},
     {"table-line-long", "Line %2 of \"%1\" is longer than 64 kB; check that it is a table.",
      "bad-table"},
-    {"poses-no-rotation", "\"%1\" has a rotation that is no unit quaternion.", "bad-table"},
+    {"poses-names",
+     "Column %2 of \"%1\" is called \"%3\", where %4 belongs; the first eight columns of a hand are "
+     "%5.",
+     "bad-table"},
+    {"poses-no-rotation", "\"%1\" has a rotation in line %2 that is no unit quaternion.",
+     "bad-table"},
     {"poses-too-far",
-     "\"%1\" leads the hand further away than 100 m, which no hand goes; its positions are in "
-     "metres.",
+     "\"%1\" leads the hand further away than 100 m in line %2, which no hand goes; its positions are "
+     "in metres.",
+     "bad-table"},
+    {"poses-time",
+     "The time of \"%1\" does not increase in line %2; each row needs a later time than the one "
+     "before.",
      "bad-table"},
     {"view-field-wrong",
      "\"%1\" was not opened: its field \"%2\" is missing or wrong; use a copy of the file.",

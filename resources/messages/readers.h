@@ -442,6 +442,8 @@ inline constexpr Row kReaders[] = {
      "orientation-unknown"},
     {"volume-spacing-unknown", "The file states no spacing: voxels of 1 mm are assumed.",
      "orientation-unknown"},
+    {"volume-doubles-rounded",
+     "Its voxels are 64-bit floating-point numbers, which were rounded to 32 bits."},
     {"volume-numbered", "Volume %1 of %2. %3"},
     {"series-listed", "%1 is %2, %3, %4 mm"},
     {"series-listed-correctable", "%1 is %2, %3, %4 mm, correctable (%5)"},

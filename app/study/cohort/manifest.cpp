@@ -99,7 +99,8 @@ std::optional<std::string> take(const std::string& column, const std::string& ce
   } else if (column == "tool") {
     touching.tools = partsOf(cell, ',');
     for (const std::string& tool : touching.tools)
-      if (resources::findNamedTool(tool) == nullptr)
+      if (resources::findNamedTool(tool) == nullptr &&
+          !(tool == kOwnMesh && !touching.mesh.empty()))
         return "names no tool of " + resources::namesOfTools();
   } else if (column == "hand") {
     touching.hands = partsOf(cell, ',');
@@ -135,6 +136,21 @@ std::string wordsOf(const Line& line) {
   words << line.label << '\t' << line.series.value_or(-1) << '\t' << t.isovalue << '\t'
         << joined(t.tools) << '\t' << joined(t.hands) << '\t' << t.repetitions << '\t' << t.seconds
         << '\t' << t.stiffness << '\t' << !line.recording.empty() << '\n';
+  // what was not asked for leaves the identity as it was before it could be
+  const Touching usual;
+  const auto add = [&](const char* name, const auto& value, const auto& before) {
+    if (value != before) words << name << '\t' << value << '\n';
+  };
+  add("angular_stiffness", t.angular_stiffness, usual.angular_stiffness);
+  add("friction", t.friction, usual.friction);
+  add("field", t.field, usual.field);
+  add("normals", t.normals, usual.normals);
+  add("epsilon", t.fineness.epsilon, usual.fineness.epsilon);
+  add("sub_steps", t.fineness.sub_steps, usual.fineness.sub_steps);
+  add("rate", t.rate.hz, usual.rate.hz);
+  add("budget", t.budget_us, usual.budget_us);
+  add("seed", t.seed, usual.seed);
+  add("mesh", t.mesh_hash, usual.mesh_hash);
   return words.str();
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "haptics/core/error.h"
+#include "haptics/scene/scene.h"
+#include "haptics/servo/rate.h"
 
 namespace cohort {
 
@@ -16,10 +18,24 @@ struct Touching {
   std::string isovalue = "bone";               ///< a number, or the name of a rule: bone, skin
   std::vector<std::string> tools = {"drill"};  ///< named tools
   std::vector<std::string> hands = {"tap", "slide"};
-  int repetitions = 1;        ///< each with another aim
-  double seconds = 4.0;       ///< s of each touch
-  double stiffness = 1000.0;  ///< N/m
+  int repetitions = 1;             ///< each with another aim
+  double seconds = 4.0;            ///< s of each touch
+  double stiffness = 1000.0;       ///< N/m
+  double angular_stiffness = 0.0;  ///< N·m/rad; 0: stiffness times the tool's inertia
+  double friction = 0.0;
+  std::string field = "trilinear", normals = "central";  ///< as app::nameOf() names them
+  haptics::Fineness fineness = {};
+  haptics::ServoRate rate = {};
+  std::int64_t budget_us = 0;  ///< counted, 100 units of work for each; 0: what the rate gives
+  std::uint64_t seed = 0;      ///< of the hands' aims: added to the number of the repetition
+  /// The mesh of the tool called "mesh": its file, its unit, and a hash of its bytes, by which
+  /// shards know it.
+  std::filesystem::path mesh = {};
+  std::string mesh_unit = "mm";
+  std::uint64_t mesh_hash = 0;
 };
+/// The tool whose mesh is Touching::mesh.
+inline constexpr const char* kOwnMesh = "mesh";
 
 /// One line of a manifest: a scan, and what is done with it.
 struct Line {

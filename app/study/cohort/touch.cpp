@@ -19,6 +19,7 @@
 #include "app/study/comparison/course.h"
 #include "app/study/comparison/measures.h"
 #include "app/study/reference/run.h"
+#include "datasets/readers/meshes/tool_mesh.h"
 #include "datasets/readers/volume_reader.h"
 #include "haptics/simulation/closed_loop.h"
 #include "resources/messages/messages.h"
@@ -200,11 +201,17 @@ class ScanAtHand {
     std::shared_ptr<const Scene> scene;
     for (const std::string& name : line_.touching.tools) {
       const auto begun = Clock::now();
-      auto mesh = resources::namedToolMesh(name);
+      auto mesh = meshOf(name);
       if (!mesh) return refuse(reasonOf(mesh.error()));
       auto tool = haptics::makeTool(name, std::move(*mesh));
       if (!tool) return refuse(reasonOf(tool.error()));
-      auto made = haptics::makeScene(volume_, std::move(*tool), {.cancel = &cancel_}, scene.get());
+      const Touching& how = line_.touching;
+      auto made = haptics::makeScene(volume_, std::move(*tool),
+                                     {.field = app::fieldNamed(how.field),
+                                      .normal = app::normalNamed(how.normals),
+                                      .fineness = how.fineness,
+                                      .cancel = &cancel_},
+                                     scene.get());
       if (!made) return refuse(reasonOf(made.error()));
       scene = *made;
       scene_s_ = secondsSince(begun);
@@ -217,6 +224,14 @@ class ScanAtHand {
     }
   }
 
+  Expected<haptics::TriangleMesh> meshOf(const std::string& tool) const {
+    const Touching& how = line_.touching;
+    if (tool != kOwnMesh || how.mesh.empty()) return resources::namedToolMesh(tool);
+    auto read = datasets::readToolMesh(how.mesh, datasets::meshUnitNamed(how.mesh_unit).value());
+    if (!read) return tl::unexpected(read.error());
+    return std::move(read->mesh);
+  }
+
   void touchOnce(const Scene& scene, const comparison::Judge& judge, double isovalue,
                  const std::string& tool, const std::string& hand, int repetition) {
     const Touching& how = line_.touching;
@@ -227,21 +242,35 @@ class ScanAtHand {
     cells["repetition"] = word(repetition);
     cells["seconds"] = word(how.seconds);
     cells["stiffness_N_m"] = word(how.stiffness);
+    cells["angular_stiffness_Nm_rad"] = word(how.angular_stiffness);
+    cells["friction"] = word(how.friction);
+    cells["field"] = how.field;
+    cells["normals"] = how.normals;
+    cells["epsilon_voxels"] = word(how.fineness.epsilon);
+    cells["sub_steps"] = word(how.fineness.sub_steps);
+    cells["rate_Hz"] = word(how.rate.hz);
+    cells["budget_work"] = word(loop.budget_work > 0 ? loop.budget_work : how.rate.budget_work());
+    cells["seed"] = std::to_string(how.seed + static_cast<std::uint64_t>(repetition));
     haptics::ClosedLoop loop;
     loop.scene = shared(scene);
     loop.settings.isovalue = isovalue;
     loop.settings.stiffness = how.stiffness;
+    loop.settings.angular_stiffness = how.angular_stiffness;
+    loop.settings.friction = how.friction;
+    loop.rate = how.rate;
+    loop.budget_work = how.budget_us * 100;
     loop.grip.gyration = std::sqrt(scene.tool.shell.inertia.trace() / 3.0);
     const double reach = haptics::Hand::reachFor(kDepth, how.stiffness, loop.grip.stiffness);
     auto aimed = haptics::Hand::aimed(motionOf(hand), scene, isovalue, reach,
-                                      static_cast<std::uint64_t>(repetition));
+                                      how.seed + static_cast<std::uint64_t>(repetition));
     Tally tally;
     Expected<void> done;
     if (aimed)
-      done = loop.run(*aimed, std::llround(how.seconds * 1e3), [&](const haptics::TraceRow& row) {
-        tally.add(row, scene, judge);
-        return tally.non_finite == 0 && !cancel_;
-      });
+      done = loop.run(*aimed, std::llround(how.seconds * how.rate.hz),
+                      [&](const haptics::TraceRow& row) {
+                        tally.add(row, scene, judge);
+                        return tally.non_finite == 0 && !cancel_;
+                      });
     if (!aimed || !done) {
       cells["status"] = "refused";
       cells["reason"] = reasonOf(aimed ? done.error() : aimed.error());
@@ -367,7 +396,7 @@ const std::vector<Column>& touchColumns() {
       {"tool", "Named tool"},
       {"points", "Points of the tool"},
       {"hand", "Simulated hand"},
-      {"repetition", "Number of the repetition, the seed of the hand's aim"},
+      {"repetition", "Number of the repetition"},
       {"seconds", "Simulated time", "s"},
       {"stiffness_N_m", "Stiffness of the virtual coupling", "N/m"},
       {"penetration_mm",
@@ -388,7 +417,17 @@ const std::vector<Column>& touchColumns() {
       {"torque_max_Nm", "Greatest torque", "N·m"},
       {"work_per_tick", "Counted units of work of a tick, mean"},
       {"cut_share", "Share of the ticks that the budget ended"},
-      {"left_out", "Work that this scene leaves out"}};
+      {"left_out", "Work that this scene leaves out"},
+      {"angular_stiffness_Nm_rad", "Angular stiffness; 0: stiffness times the tool's inertia",
+       "N·m/rad"},
+      {"friction", "Coulomb's coefficient"},
+      {"field", "How voxels became a field: trilinear, spline"},
+      {"normals", "Normals of points near the surface: central, cell, spline"},
+      {"epsilon_voxels", "Distance that counts as contact, in voxels"},
+      {"sub_steps", "Most motions in a millisecond that contacts shape or stop"},
+      {"rate_Hz", "Ticks in a second", "Hz"},
+      {"budget_work", "Counted units of work that a tick may spend"},
+      {"seed", "Seed of the hand's aim"}};
   return kColumns;
 }
 

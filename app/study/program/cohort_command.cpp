@@ -16,7 +16,10 @@
 #include "app/cli/terminal.h"
 #include "app/study/cohort/cohort.h"
 #include "app/study/program/commands.h"
+#include "haptics/process/input_file.h"
+#include "haptics/process/output_file.h"
 #include "haptics/settings.h"
+#include "resources/named_tools.h"
 
 extern char** environ;
 
@@ -28,7 +31,7 @@ using namespace app::cli;
 struct CohortOptions {
   std::string manifest, out;
   cohort::Touching touching;
-  std::string tool = "drill", hand = "tap,slide";
+  std::string tool = {}, hand = "tap,slide";  ///< no tool: the mesh, or the drill
   std::string shard = "1/1";
   int jobs = 1;
   bool plan = false;
@@ -123,9 +126,39 @@ bool runBeside(const CohortOptions& options, const std::vector<std::string>& com
   return well;
 }
 
+/// Tools, hands and mesh as the touching has them; what is wrong with them.
+std::optional<Outcome> settle(CohortOptions& options) {
+  cohort::Touching& touching = options.touching;
+  if (options.tool.empty()) options.tool = touching.mesh.empty() ? "drill" : cohort::kOwnMesh;
+  touching.tools = listed(options.tool);
+  touching.hands = listed(options.hand);
+  const auto unknown = [](const std::string& name, const std::string& known) {
+    return usage("There is no \"" + name + "\"; choose one of " + known + ".");
+  };
+  for (const std::string& tool : touching.tools)
+    if (resources::findNamedTool(tool) == nullptr &&
+        (tool != cohort::kOwnMesh || touching.mesh.empty()))
+      return unknown(tool, resources::namesOfTools() + ", or mesh with --tool-mesh");
+  for (const std::string& hand : touching.hands)
+    if (std::ranges::find(cohort::handNames(), hand) == cohort::handNames().end()) {
+      std::string names;
+      for (const std::string& name : cohort::handNames())
+        names += (names.empty() ? "" : ", ") + name;
+      return unknown(hand, names);
+    }
+  if (touching.mesh.empty()) return {};
+  constexpr std::uintmax_t kLargestMesh = std::uintmax_t{1} << 30;  // bytes
+  haptics::keepInput(touching.mesh);
+  const auto bytes = haptics::readInput(touching.mesh, kLargestMesh);
+  if (!bytes) return refused(bytes.error());
+  touching.mesh_hash = 14695981039346656037ULL;  // FNV-1a
+  for (const char c : *bytes + touching.mesh_unit)
+    touching.mesh_hash = (touching.mesh_hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  return {};
+}
+
 Outcome run(CohortOptions options) {
-  options.touching.tools = listed(options.tool);
-  options.touching.hands = listed(options.hand);
+  if (const auto wrong = settle(options)) return *wrong;
   if (options.out.empty() && !options.plan) return usage("cohort needs a folder for its results.");
   const auto shard = study::shardOf(options.shard);
   if (!shard) return usage("--shard \"" + options.shard + "\" is not i/n with i from 1 to n.");
@@ -148,15 +181,46 @@ Outcome run(CohortOptions options) {
   how.tell = [](const std::string& line) { tell(line); };
   const Closing held;
   if (options.jobs > 1) {
-    const std::vector<std::string> command{
-        "palpate-cli",    "cohort",
-        options.manifest, options.out,
-        "--isovalue",     options.touching.isovalue,
-        "--tool",         options.tool,
-        "--hand",         options.hand,
-        "--repetitions",  std::to_string(options.touching.repetitions),
-        "--seconds",      nlohmann::json(options.touching.seconds).dump(),
-        "--stiffness",    nlohmann::json(options.touching.stiffness).dump()};
+    const auto number = [](double value) { return nlohmann::json(value).dump(); };
+    const cohort::Touching& how_touched = options.touching;
+    std::vector<std::string> command{"palpate-cli",
+                                     "cohort",
+                                     options.manifest,
+                                     options.out,
+                                     "--isovalue",
+                                     options.touching.isovalue,
+                                     "--tool",
+                                     options.tool,
+                                     "--hand",
+                                     options.hand,
+                                     "--repetitions",
+                                     std::to_string(options.touching.repetitions),
+                                     "--seconds",
+                                     nlohmann::json(options.touching.seconds).dump(),
+                                     "--stiffness",
+                                     number(how_touched.stiffness),
+                                     "--angular-stiffness",
+                                     number(how_touched.angular_stiffness),
+                                     "--friction",
+                                     number(how_touched.friction),
+                                     "--field",
+                                     how_touched.field,
+                                     "--normals",
+                                     how_touched.normals,
+                                     "--epsilon",
+                                     number(how_touched.fineness.epsilon),
+                                     "--sub-steps",
+                                     std::to_string(how_touched.fineness.sub_steps),
+                                     "--rate",
+                                     std::to_string(how_touched.rate.hz),
+                                     "--seed",
+                                     std::to_string(how_touched.seed),
+                                     "--tool-unit",
+                                     how_touched.mesh_unit};
+    if (how_touched.budget_us > 0)
+      command.insert(command.end(), {"--budget", std::to_string(how_touched.budget_us)});
+    if (!how_touched.mesh.empty())
+      command.insert(command.end(), {"--tool-mesh", how_touched.mesh.string()});
     if (!runBeside(options, command) && !interrupted())
       return failed("A part of the cohort could not be run; the lines above say why.");
   }
@@ -170,8 +234,7 @@ struct MergeOptions {
 };
 
 Outcome merge(MergeOptions options) {
-  options.cohort.touching.tools = listed(options.cohort.tool);
-  options.cohort.touching.hands = listed(options.cohort.hand);
+  if (const auto wrong = settle(options.cohort)) return *wrong;
   const auto manifest = cohort::readManifest(options.cohort.manifest, options.cohort.touching);
   if (!manifest) return refused(manifest.error());
   return outcomeOf(cohort::merge(*manifest, {options.folders.begin(), options.folders.end()},
@@ -197,6 +260,48 @@ void addTouching(CLI::App& command, CohortOptions& options) {
                   "Stiffness of the virtual coupling [N/m]")
       ->check(finiteNumber() &
               CLI::Range(haptics::kStiffnessRange.least, haptics::kStiffnessRange.most));
+  command
+      .add_option("--angular-stiffness", options.touching.angular_stiffness,
+                  "Instead of stiffness times the tool's inertia [N·m/rad]")
+      ->check(finiteNumber() & CLI::Range(haptics::kAngularStiffnessRange.least,
+                                          haptics::kAngularStiffnessRange.most));
+  command
+      .add_option("--friction", options.touching.friction,
+                  "Coulomb's coefficient between tool and surface")
+      ->check(finiteNumber() &
+              CLI::Range(haptics::kFrictionRange.least, haptics::kFrictionRange.most));
+  command
+      .add_option("--field", options.touching.field, "How voxels become a field: trilinear, spline")
+      ->check(CLI::IsMember({"trilinear", "spline"}));
+  command
+      .add_option("--normals", options.touching.normals,
+                  "Normals of points near the surface: central, cell, spline")
+      ->check(CLI::IsMember({"central", "cell", "spline"}));
+  command
+      .add_option("--epsilon", options.touching.fineness.epsilon,
+                  "Distance that counts as contact, in voxels")
+      ->check(finiteNumber() & CLI::Range(0.001, 0.999));
+  command
+      .add_option("--sub-steps", options.touching.fineness.sub_steps,
+                  "Most motions in a millisecond that contacts shape or stop")
+      ->check(wholeNumber(1, 1000));
+  command
+      .add_option("--budget", options.touching.budget_us,
+                  "What a tick may spend, counted: 100 units of work for each us")
+      ->check(wholeNumber(1, 1'000'000));
+  command
+      .add_option("--rate", options.touching.rate.hz, "Ticks of the servo loop in a second [Hz]")
+      ->check(CLI::IsMember({1000, 2000, 4000}));
+  command
+      .add_option("--seed", options.touching.seed,
+                  "Added to the number of the repetition, the seed of the hand's aim")
+      ->check(wholeNumber(0, 1'000'000'000));
+  command
+      .add_option("--tool-mesh", options.touching.mesh,
+                  "A mesh of your own, which is the tool called mesh")
+      ->check(notEmpty());
+  command.add_option("--tool-unit", options.touching.mesh_unit, "Unit of --tool-mesh")
+      ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
 }
 
 }  // namespace

@@ -72,11 +72,19 @@ Outcome run(const std::string& name, const StudyOptions& options) {
 }
 
 Outcome merge(const std::vector<std::string>& folders, const std::string& out) {
-  return outcomeOf(study::mergeStudies({folders.begin(), folders.end()}, out,
-                                       [](const study::Identity& identity) {
-                                         return study::makeStudy(identity.study, identity.depth);
-                                       }),
-                   out);
+  const auto results = study::mergeStudies(
+      {folders.begin(), folders.end()}, out, [](const study::Identity& identity) {
+        return study::makeStudy(identity.study, identity.depth);
+      });
+  Outcome outcome = outcomeOf(results, out);
+  // part of a study is not the study, even if all that was run holds
+  if (results && outcome.code == Exit::Done && !results->missing().empty()) {
+    outcome.code = Exit::Failed;
+    outcome.error = std::to_string(results->missing().size()) + " of " +
+                    std::to_string(results->jobs.size()) +
+                    " jobs were not run yet; run their shards and merge again.";
+  }
+  return outcome;
 }
 
 }  // namespace

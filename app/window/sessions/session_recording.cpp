@@ -29,7 +29,7 @@ haptics::Expected<void> SessionRecording::start(std::shared_ptr<const haptics::S
         haptics::Error::Kind::Unsupported,
         tr("The last recording is being finished; try again in a moment.").toStdString(), "busy"});
   target_ = recordings_.next();
-  auto recorder = Recorder::create(target_, recordingFacts(), {.rate = session_.rate()});
+  auto recorder = Recorder::create(target_, recordingFacts("palpate"), {.rate = session_.rate()});
   if (!recorder) return tl::unexpected(recorder.error());
   recorder_ = std::move(*recorder);
   stopping_ = false;
