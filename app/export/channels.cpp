@@ -55,7 +55,7 @@ std::vector<Channel> poseChannels(const std::string& point, const std::string& w
 
 template <class Of>
 std::vector<Channel> vectorChannels(const std::string& name, const char* unit,
-                                    const char* description, Of of) {
+                                    const std::string& description, Of of) {
   constexpr const char* kAxes[] = {"x", "y", "z"};
   std::vector<Channel> channels;
   for (int axis = 0; axis < 3; ++axis)
@@ -122,6 +122,7 @@ std::vector<Channel> motionChannels(const Recording& recording) {
                      [](const Step& step) -> const Vec3& { return step.sent_W.force; }));
   add(vectorChannels("torque", "N.m", "Torque sent to the hand, about the device's origin",
                      [](const Step& step) -> const Vec3& { return step.sent_W.torque; }));
+  add(vectorChannels("friction_force", "N", sentence(kFrictionMeaning), frictionOf));
   for (const StepColumn& column : stepColumns())
     if (column.path != nullptr)
       all.push_back(single(

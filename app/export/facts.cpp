@@ -26,6 +26,14 @@ std::string hexOf(const VolumeHash& hash) {
 
 }  // namespace
 
+haptics::Vec3 frictionOf(const haptics::Step& step) {
+  if (!(step.settings.friction > 0.0) || step.contacts.size() == 0) return haptics::Vec3::Zero();
+  haptics::Vec3 rest =
+      step.settings.stiffness * (step.X_WP.translation() - step.X_WD.translation());
+  for (const haptics::BearingContact& contact : step.contacts) rest -= contact.push * contact.n_W;
+  return rest;
+}
+
 ordered_json conventions() {
   return {
       {"quaternion",

@@ -7,6 +7,14 @@
 
 namespace app::exporting {
 
+/// N: what the coupling asks of all contacts together beside their pushes: friction, once the proxy
+/// rests. Zero without friction or contact.
+haptics::Vec3 frictionOf(const haptics::Step& step);
+inline constexpr const char* kFrictionMeaning =
+    "friction of all contacts together on the tool: the coupling's force less the contacts' "
+    "pushes, "
+    "at the tool, before the device's limits; exact where the proxy rests; 0 without friction";
+
 /// What the numbers mean, a sentence for each: the quaternion's direction, the tool's origin, the
 /// law of the force.
 nlohmann::ordered_json conventions();

@@ -191,7 +191,8 @@ struct StepTables {
         proxy_position{file, "proxy/position", 3, "m", "proxy after the tick: x, y, z"},
         proxy_orientation{file, "proxy/orientation", 4, "1", "unit quaternion w, x, y, z"},
         force{file, "force", 3, "N", "force sent to the hand"},
-        torque{file, "torque", 3, "N.m", "torque sent to the hand, about the device's origin"} {
+        torque{file, "torque", 3, "N.m", "torque sent to the hand, about the device's origin"},
+        friction{file, "friction_force", 3, "N", kFrictionMeaning} {
     for (const StepColumn& column : stepColumns())
       if (column.path != nullptr) columns.push_back(ColumnTable::of(column, file));
   }
@@ -206,20 +207,21 @@ struct StepTables {
     proxy_orientation.add(row.proxy.data() + 3);
     force.add(tick.sent_W.force);
     torque.add(tick.sent_W.torque);
+    friction.add(frictionOf(tick));
     for (const auto& column : columns) column->add(row);
   }
   /// Calls f with each.
   template <class F>
   void visit(F&& f) {
     f(time), f(step), f(device_position), f(device_orientation), f(proxy_position),
-        f(proxy_orientation), f(force), f(torque);
+        f(proxy_orientation), f(force), f(torque), f(friction);
     for (const auto& column : columns) f(*column);
   }
 
   Table<std::int64_t> time;
   Table<std::uint64_t> step;
   Table<double> device_position, device_orientation, proxy_position, proxy_orientation;
-  Table<double> force, torque;
+  Table<double> force, torque, friction;
   std::vector<std::unique_ptr<ColumnTable>> columns;
 };
 

@@ -110,7 +110,9 @@ const std::vector<Topic>& topics() {
       {"/device", "foxglove.PoseInFrame", kPoseProperties},
       {"/proxy", "foxglove.PoseInFrame", kPoseProperties},
       {"/wrench", "palpate.Wrench",
-       R"("force":{"type":"object","description":"N","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"torque":{"type":"object","description":"N.m, about the device's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}})"},
+       R"("force":{"type":"object","description":"N","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"torque":{"type":"object","description":"N.m, about the device's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"friction_force":{"type":"object","description":"N, )" +
+           std::string{kFrictionMeaning} +
+           R"(","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}})"},
       {"/contacts", "palpate.Contacts",
        R"("contacts":{"type":"array","items":{"type":"object","properties":{"arm":{"type":"object","description":"m, the point about the tool's origin","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"normal":{"type":"object","description":"unit, out of the solid","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"push":{"type":"number","description":"N"}}}})"},
       {"/tick", "palpate.Tick", R"("step":{"type":"integer"},)" + propertiesOf(Tick)},
@@ -358,8 +360,10 @@ void writePose(Json& json, std::int64_t time_ns, const PoseNumbers& n) {
   json.raw(R"(,"orientation":{"x":)").number(n[4]).raw(R"(,"y":)").number(n[5]);
   json.raw(R"(,"z":)").number(n[6]).raw(R"(,"w":)").number(n[3]).raw("}}}");
 }
-void writeWrench(Json& json, const haptics::Wrench& wrench) {
+void writeWrench(Json& json, const Step& step) {
+  const haptics::Wrench& wrench = step.sent_W;
   json.raw(R"({"force":)").vector(wrench.force).raw(R"(,"torque":)").vector(wrench.torque);
+  json.raw(R"(,"friction_force":)").vector(frictionOf(step));
   json.raw("}");
 }
 void writeContacts(Json& json, const Step& step) {
@@ -448,7 +452,7 @@ haptics::Expected<Exported> exportMcap(Recording& recording, const std::filesyst
     }
     going = going && send(Device, time, [&](Json& to) { writePose(to, time, row.device); }) &&
             send(Proxy, time, [&](Json& to) { writePose(to, time, row.proxy); }) &&
-            send(Wrench, time, [&](Json& to) { writeWrench(to, step.sent_W); }) &&
+            send(Wrench, time, [&](Json& to) { writeWrench(to, step); }) &&
             send(Tick, time, [&](Json& to) { writeTick(to, row); });
     if (options.contacts)
       going = going && send(Contacts, time, [&](Json& to) { writeContacts(to, step); });

@@ -433,6 +433,72 @@ def is_one_table(folder, recording, truth):
     check(said["steps"] == 200, f"csv: {said}")
 
 
+def says_what_decided(folder):
+    """Every format tells of the run, and its sentences are true of its numbers."""
+    recording = folder / "rubbed.palpate"
+    run = cli("run", "--phantom", "sphere", "--isovalue", 1000, "--tool", "sphere", "--hand", "slide", "--seconds", 2,
+              "--stiffness", 900, "--friction", 0.3, "--epsilon", 0.04, "--sub-steps", 6, "--seed", 3, "--budget", 150,
+              "--record", recording)
+    decided = {"program": "palpate-cli", "commit": run["made_by"]["commit"], "run_scene": "sphere",
+               "run_hand": "slide", "run_seed": 3, "run_device": "none", "run_budget_work": 15000}
+    of_scene = {"field": "trilinear", "normals": "central", "epsilon_voxels": 0.04, "sub_steps": 6}
+    sentences = ("quaternion", "tool_origin", "force_law")
+    export(recording, "csv", folder / "rubbed.csv")
+    explained = json.load(open(folder / "rubbed.columns.json", encoding="utf-8"))
+    export(recording, "hdf5", folder / "rubbed.h5")
+    export(recording, "mcap", folder / "rubbed.mcap")
+    export(recording, "motion-bids", folder / "rubbed")
+    logged = read_mcap.read(folder / "rubbed.mcap")
+    with h5py.File(folder / "rubbed.h5") as file:
+        told = {"csv": (explained["recording"], explained["scenes"]["1"]),
+                "hdf5": (dict(file.attrs), dict(file["scenes/1"].attrs)),
+                "mcap": (logged["metadata"]["recording"], logged["metadata"]["scene 1"])}
+        numbers = {"hdf5": file["friction_force"][:].tolist()}
+    for format, (facts, scene) in told.items():
+        for name, value in decided.items():
+            check(str(facts.get(name)) == str(value), f"{format}: {name} is {facts.get(name)}, not {value}")
+        for name, value in of_scene.items():
+            check(str(scene.get(name)) == str(value), f"{format}: {name} is {scene.get(name)}, not {value}")
+        check(str(facts["export_version"]) == "1" and str(facts["rate_Hz"]) == "1000", f"{format}: {facts}")
+        check(all(str(facts[name]).endswith(".") for name in sentences), f"{format}: lacks a sentence")
+    software = json.load(open(folder / "rubbed_motion.json", encoding="utf-8"))["SoftwareVersions"]
+    check(all(f"{name} {value}" in software for name, value in decided.items()), f"motion-bids: {software}")
+    frame = open(folder / "rubbed_channels.json", encoding="utf-8").read()
+    check(all(word in frame for word in ("quaternion", "tool's origin", "the stiffness times")), f"motion-bids: {frame}")
+
+    # friction: what the coupling asks beside the pushes; no more than the cone, all of it while it slides
+    truth = from_rows(recording)
+    wanted, shares = [], []
+    for device, proxy, contacts in zip(truth["device"], truth["proxy"], truth["contacts"]):
+        rest = [900.0 * (p - d) for p, d in zip(proxy[:3], device[:3])] if contacts else [0.0] * 3
+        for contact in contacts:
+            rest = [r - contact[6] * n for r, n in zip(rest, contact[3:6])]
+        wanted.append(rest)
+        if len(contacts) == 1 and contacts[0][6] > 0.5:
+            shares.append(math.hypot(*rest) / contacts[0][6])
+    names = ["friction_force_" + axis for axis in AXES]
+    with open(folder / "rubbed.csv", encoding="utf-8", newline="") as file:
+        numbers["csv"] = [[float(row[name]) for name in names] for row in csv.DictReader(file)]
+    numbers["mcap"] = [[m["friction_force"][a] for a in AXES] for _, m in logged["topics"]["/wrench"]]
+    for format, read in numbers.items():
+        check(len(read) == len(wanted) and max(abs(a - b) for ours, theirs in zip(read, wanted)
+                                               for a, b in zip(ours, theirs)) < 1e-4, f"{format}: friction")
+    check(len(shares) > 300, f"{len(shares)} steps with one contact")
+    shares.sort()
+    check(abs(shares[len(shares) // 2] - 0.3) < 0.02, f"friction over push: {shares[len(shares) // 2]}, not 0.3")
+
+    # the quaternion turns the tool into the scan: each contact is at one of the tool's points
+    cli("tool", "sphere", "--out", folder / "points.csv")
+    points = numpy.genfromtxt(folder / "points.csv", delimiter=",", skip_header=1)
+    furthest = 0.0
+    for proxy, contacts in list(zip(truth["proxy"], truth["contacts"]))[::20]:
+        w, v = proxy[3], numpy.array(proxy[4:7])
+        for contact in contacts:
+            turned = points + 2 * w * numpy.cross(v, points) + 2 * numpy.cross(v, numpy.cross(v, points))
+            furthest = max(furthest, numpy.linalg.norm(turned - numpy.array(contact[:3]), axis=1).min())
+    check(furthest < 1e-6, f"a contact is {furthest} m from the tool's points")
+
+
 def has_no_date(folder, recording):
     """Made again later, it is the same to the byte."""
     before = {f: open(f, "rb").read() for format, (ending, _) in FORMATS.items()
@@ -637,6 +703,7 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         recording, truth = holds_the_trace(folder)
+        says_what_decided(folder)
         export(recording, "mcap", folder / "short.mcap", "--from", 0.5, "--to", 0.6)
         missed = read_mcap.changes_missed(folder / "short.mcap", folder / "changed.mcap")
         check(missed == [], f"the reader of MCAP misses changed bytes at {missed}")

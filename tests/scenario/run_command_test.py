@@ -5,12 +5,19 @@ tool touches, and the README's table of tools is the program's list.
 
 Use: run_command_test.py PALPATE-CLI
 """
+import hashlib
 import json
+import os
 import pathlib
+import pty
 import re
+import signal
+import struct
 import subprocess
 import sys
 import tempfile
+import time as time_module
+import zlib
 
 program = sys.argv[1]
 
@@ -69,3 +76,156 @@ with tempfile.TemporaryDirectory() as folder:
             assert done.returncode == 0 and report["ticks"] == 2000, (phantom, tool, done)
             assert report["contact_ticks"] > 500 and report["max_force_N"] > 0.5, (phantom, tool, report)
             assert report["max_penetration_mm"] == 0 and report["nonfinite"] == 0, (phantom, tool, report)
+
+# the report is what its schema promises, and says what decided it
+ROOT = pathlib.Path(__file__).parents[2]
+schema = json.loads((ROOT / "app/cli/run.schema.json").read_text())
+beside = {**schema["$defs"]["beside_trace"], "$defs": schema["$defs"]}
+try:
+    import jsonschema
+    validate = jsonschema.validate
+except ImportError:
+    print("python3-jsonschema is not installed: only the required keys are looked for")
+
+    def validate(report, wanted):
+        assert set(wanted["required"]) <= set(report), set(wanted["required"]) - set(report)
+
+SLIDE = ("--tool", "probe", "--hand", "slide", "--stiffness", "800")
+with tempfile.TemporaryDirectory() as folder:
+    trace = pathlib.Path(folder, "t.csv")
+    chosen = {"--epsilon": 0.1, "--sub-steps": 4, "--budget": 50, "--normals": "cell", "--field": "spline",
+              "--rate": 2000, "--friction": 0.2, "--seed": 7, "--angular-stiffness": 0.5}
+    options = [str(word) for pair in chosen.items() for word in pair]
+    done, report = run(*SLIDE, "--seconds", "0.4", "--trace", str(trace), *options)
+    assert done.returncode == 0, done
+    validate(report, schema)
+    settings = report["settings"]
+    names = {"--epsilon": "epsilon_voxels", "--sub-steps": "sub_steps", "--rate": "rate_Hz",
+             "--angular-stiffness": "angular_stiffness_Nm_rad"}
+    for option, value in chosen.items():
+        name, value = ("budget_work", 100 * value) if option == "--budget" else (names.get(option, option[2:]), value)
+        assert settings[name] == value, (option, settings)
+    assert (settings["scene"], settings["tool"], settings["hand"]) == ("sphere", "probe", "slide"), settings
+    assert settings["isovalue"] == 300 and settings["stiffness_N_m"] == 800 and settings["seconds"] == 0.4, settings
+    assert report["ticks"] == 800 and report["made_by"]["program"] == "palpate-cli", report
+    git = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True)
+    commit = report["made_by"]["commit"]
+    assert git.returncode != 0 or commit == "unknown" or len(commit.removesuffix("-changed")) == 12, commit
+    sidecar = json.loads(pathlib.Path(folder, "t.trace.json").read_text())
+    validate(sidecar, beside)
+    assert sidecar["settings"] == settings and sidecar["made_by"] == report["made_by"], sidecar
+
+    # coupling_mm is the distance of the origins, as the trace has them; the metric counts the turn as well
+    rows = [[float(cell) for cell in line.split(",")] for line in trace.read_text().splitlines()[1:]]
+    apart = [sum((a - b) ** 2 for a, b in zip(row[1:4], row[8:11])) ** 0.5 for row in rows if row[21] > 0]
+    assert len(apart) == report["contact_ticks"] > 100, report
+    assert abs(report["coupling_mm"] - 1e3 * sum(apart) / len(apart)) < 1e-9, report
+    assert report["coupling_metric_mm"] > report["coupling_mm"] * 1.0001, report
+
+    # each of the new options changes the touch; what is usual, said or not, is the same to the byte
+    def traced(*options):
+        done, report = run("--tool", "cane", "--hand", "wedge", "--stiffness", "800", "--seconds", "0.4", "--trace",
+                           str(trace), *options)
+        assert done.returncode == 0, done
+        return trace.read_bytes(), report
+    usual, report = traced()
+    assert report["cut_ticks"] == 0 and report["ns_per_unit"] > 0, report
+    assert traced("--epsilon", "0.05", "--sub-steps", "8", "--budget", "200", "--normal", "central")[0] == usual
+    for options in (("--epsilon", "0.2"), ("--sub-steps", "1"), ("--budget", "1"), ("--normals", "cell"),
+                    ("--seed", "2")):
+        assert traced(*options)[0] != usual, options
+    assert traced("--budget", "1")[1]["cut_ticks"] > 50
+
+    # a hand from a file starts with its first row, whatever its clock says, and where it ends is said
+    hand = pathlib.Path(folder, "hand.csv")
+    lines = usual.decode().splitlines()
+    later = [lines[0]]
+    for line in lines[1:301]:
+        time, rest = line.split(",", 1)
+        later.append(f"{float(time) + 1234.0!r},{rest}")
+    hand.write_text("\n".join(later) + "\n")
+
+    def along(*options):
+        return run("--tool", "cane", "--hand", str(hand), "--stiffness", "800", *options)
+    done, report = along("--seconds", "0.3", "--trace", str(trace))
+    assert done.returncode == 0 and report["settings"]["hand"] == "file" and "seed" not in report["settings"], report
+    first, last = trace.read_text().splitlines()[1], trace.read_text().splitlines()[300]
+    assert first.split(",")[1:8] == lines[1].split(",")[1:8], first
+    assert max(abs(float(a) - float(b)) for a, b in zip(last.split(",")[1:8], lines[300].split(",")[1:8])) < 1e-6
+    done, report = along("--seconds", "0.5")
+    assert abs(report["hand_ended_s"] - 0.299) < 1e-6 and "ended after 0.29" in done.stderr, (report, done.stderr)
+
+    # names, numbers and times that are wrong are named by column and line
+    for old, new, words in (
+            ("device_qw,device_qx,device_qy,device_qz", "qx,qy,qz,qw", "Column 5 of"),
+            (later[7].split(",")[2], "nan", "column device_y_m of line 8"),
+            (later[7].split(",")[2], "one", "in line 8"),
+            (later[7].split(",")[0], later[6].split(",")[0], "in line 8")):
+        text = "\n".join(later) + "\n"
+        at = text.index(later[0] if old.startswith("device") else later[7])
+        hand.write_text(text[:at] + text[at:].replace(old, new, 1))
+        done, report = along("--seconds", "0.1")
+        assert done.returncode == 3 and words in done.stderr, (words, done)
+
+    # a recording tells when it began and which volume it was only if that is asked for
+    for wanted in ((), ("--epoch", "--open-hash")):
+        recording = pathlib.Path(folder, "r.palpate")
+        done, report = run(*SLIDE, "--seconds", "0.1", "--record", str(recording), *wanted)
+        assert done.returncode == 0 and ("--epoch" in done.stderr) == bool(wanted), done
+        out = pathlib.Path(folder, "e.csv")
+        subprocess.run([program, "export", recording, "--format", "csv", "--out", out], capture_output=True, check=True)
+        told = json.loads(out.with_suffix(".columns.json").read_text())["recording"]
+        assert ("began_unix_ns" in told) == ("voxels_sha256" in told) == bool(wanted), told
+        assert told["run_hand"] == "slide" and told["run_seed"] == 1 and told["run_scene"] == "sphere", told
+    volume = pathlib.Path(folder, "sphere.nrrd")
+    subprocess.run([program, "convert", "--phantom", "sphere", volume], capture_output=True, check=True)
+    voxels = volume.read_bytes().split(b"\n\n", 1)[1]
+    if b"encoding: raw" not in volume.read_bytes()[:2000]:
+        voxels = zlib.decompress(voxels, 31)
+    assert told["voxels_sha256"] == hashlib.sha256(voxels).hexdigest(), told
+    assert abs(told["began_unix_ns"] * 1e-9 - time_module.time()) < 600, told
+    done, _ = run(*SLIDE, "--seconds", "0.1", "--epoch")
+    assert done.returncode == 2, done
+
+    # a volume of one value, and 64-bit numbers
+    flat = pathlib.Path(folder, "flat.nrrd")
+    head = ("NRRD0004\ntype: {}\ndimension: 3\nsizes: 8 8 8\nspace: left-posterior-superior\nspace directions: "
+            "(1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nendian: little\nencoding: raw\n\n")
+    flat.write_bytes(head.format("short").encode() + struct.pack("<h", 7) * 512)
+    done = subprocess.run([program, "run", "--volume", flat, "--isovalue", "300", "--seconds", "1", *SLIDE],
+                          capture_output=True, text=True)
+    assert done.returncode == 3 and "Every voxel of the volume is 7" in done.stderr, done
+    flat.write_bytes(head.format("double").encode() + b"".join(struct.pack("<d", 0.1 * n) for n in range(512)))
+    done = subprocess.run([program, "info", flat, "--json"], capture_output=True, text=True)
+    assert done.returncode == 0 and "rounded to 32 bits" in json.loads(done.stdout)["message"], done
+
+# a name that does not exist is wrong usage, of whatever it is the name
+for option in ("--phantom", "--tool", "--hand", "--device", "--field", "--normal"):
+    words = {"--phantom": "sphere", "--tool": "probe", "--hand": "tap", option: "nonesuch"}
+    done = subprocess.run([program, "run", "--isovalue", "1000", "--seconds", "0.1", "--stiffness", "500",
+                           *[word for pair in words.items() for word in pair]], capture_output=True, text=True)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1, (option, done)
+for words in (("convert", "--phantom", "nonesuch", "x.nrrd"), ("tool", "nonesuch", "--out", "x.csv"),
+              ("surface", "--phantom", "nonesuch", "--isovalue", "1", "--out", "x.stl")):
+    done = subprocess.run([program, *words], capture_output=True, text=True)
+    assert done.returncode == 2 and "nonesuch" in done.stderr, (words, done)
+
+# the paper's scenes have names; the smallest of those by formula is touched
+done = subprocess.run([program, "run", "--phantom", "engine", "--isovalue", "90", "--tool", "wrench", "--points", "2126",
+                       "--hand", "tap", "--seconds", "1", "--stiffness", "500", "--json"], capture_output=True, text=True)
+report = json.loads(done.stdout)
+assert done.returncode == 0 and report["settings"]["dims"] == [256, 256, 110], done
+assert report["contact_ticks"] > 100 and report["max_penetration_mm"] == 0, report
+assert "bunny, engine, bone" in subprocess.run([program, "convert", "--phantom", "nonesuch", "x.nrrd"],
+                                               capture_output=True, text=True).stderr
+
+# on a terminal a run tells how far it is, from five seconds on; elsewhere it is quiet
+terminal, side = pty.openpty()
+long = subprocess.Popen([program, "run", "--phantom", "sphere", "--isovalue", "1000", "--seconds", "86400", *SLIDE],
+                        stdout=subprocess.DEVNULL, stderr=side)
+os.close(side)
+begun = time_module.monotonic()
+told = os.read(terminal, 4096).decode()
+assert "% of the run, about" in told and time_module.monotonic() - begun > 4, told
+long.send_signal(signal.SIGINT)
+assert long.wait(timeout=60) == 130
