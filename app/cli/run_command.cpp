@@ -19,6 +19,7 @@
 #include "app/cli/trace.h"
 #include "app/export/facts.h"
 #include "app/measurement/quantile.h"
+#include "app/recording/facts.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/allowed_stiffness.h"
@@ -33,7 +34,8 @@ namespace {
 
 constexpr double kDepth = 0.008;  // m that a hand brings the device beyond the surface
 constexpr std::int64_t kUnitsPerMicrosecond = 100;  // of counted work
-constexpr int kSchema = 1;  // of the report; run.schema.json says what may change
+constexpr std::int64_t kMuchWork = 1000;  // units: what a tick does besides is little of its time
+constexpr int kSchema = 1;                // of the report; run.schema.json says what may change
 
 struct RunOptions {
   VolumeChoice volume;
@@ -103,6 +105,7 @@ CLI::Range within(haptics::Range range) { return {range.least, range.most}; }
 struct Tally {
   std::vector<double> tick_us;
   std::int64_t ticks = 0, contact_ticks = 0, non_finite = 0, work = 0, cut = 0;
+  std::int64_t much_work = 0, much_ns = 0;  ///< of ticks with much of it
   int most_contacts = 0;
   double penetration_mm = 0.0, apart_m = 0.0, coupling_m = 0.0, force = 0.0, torque = 0.0;
 
@@ -110,6 +113,10 @@ struct Tally {
     ++ticks;
     tick_us.push_back(double(row.cpu_ns) * 1e-3);
     work += row.work;
+    if (row.work >= kMuchWork) {
+      much_work += row.work;
+      much_ns += row.cpu_ns;
+    }
     cut += row.cut_at > 0;
     // the norms, too: a force may be finite and its size not
     if (!row.X_WP.matrix().allFinite() || !std::isfinite(row.coupling_W.force.norm()) ||
@@ -156,7 +163,8 @@ struct Tally {
     json["nonfinite"] = non_finite;
     json["cut_ticks"] = cut;
     json["work_per_tick"] = ticks > 0 ? double(work) / double(ticks) : 0.0;
-    json["ns_per_unit"] = work > 0 ? all_us * 1e3 / double(work) : 0.0;
+    json["ns_per_unit"] = nullptr;
+    if (much_work > 0) json["ns_per_unit"] = double(much_ns) / double(much_work);
     return json;
   }
 };
@@ -374,9 +382,7 @@ Outcome run(const RunOptions& options) {
   if (!options.record.empty()) {
     nlohmann::ordered_json about = aboutOf(settings);
     if (options.epoch) {
-      about["began_unix_ns"] = std::chrono::duration_cast<std::chrono::nanoseconds>(
-                                   std::chrono::system_clock::now().time_since_epoch())
-                                   .count();
+      about.update(beganNow());
       tell("The recording states when it began, and so do its exports: --epoch.");
     }
     if (options.open_hash) {
@@ -507,10 +513,15 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(wholeNumber(1, 1'000'000));
   command->add_option("--field", options->field, "How voxels become a field: trilinear, spline")
       ->check(CLI::IsMember(namesIn(fields())));
+  auto* normal = command
+                     ->add_option("--normal", options->normal,
+                                  "Normals of points near the surface: central, cell, spline")
+                     ->check(CLI::IsMember(namesIn(normals())));
   command
-      ->add_option("--normal,--normals", options->normal,
-                   "Normals of points near the surface: central, cell, spline")
-      ->check(CLI::IsMember(namesIn(normals())));
+      ->add_option("--normals", options->normal)  // as cohort and the report call it
+      ->check(CLI::IsMember(namesIn(normals())))
+      ->excludes(normal)
+      ->group("");
   command
       ->add_option("--device", options->device,
                    "Apply the limits of this device model (an unknown name lists all)")

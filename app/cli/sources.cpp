@@ -13,6 +13,7 @@
 
 #include "app/cli/interrupts.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal.h"
 #include "app/recording/recording.h"
 #include "datasets/phantoms/phantoms.h"
 #include "haptics/process/input_file.h"
@@ -20,6 +21,7 @@
 #include "resources/named_tools.h"
 #ifdef PALPATE_READERS
 #include "datasets/readers/meshes/tool_mesh.h"
+#include "resources/messages/messages.h"
 #endif
 
 namespace app::cli {
@@ -120,6 +122,31 @@ datasets::Reading readingOf(const VolumeChoice& choice) {
 }
 #endif
 
+#ifdef PALPATE_READERS
+namespace {
+
+bool holds(const haptics::Message& message, const std::string& id) {
+  return message.id == id ||
+         std::ranges::any_of(message.arguments,
+                             [&](const haptics::Message& part) { return holds(part, id); });
+}
+
+/// Says it if the voxels of a file were rounded, which the volume itself does not know.
+void tellRounding(const std::string& path, const haptics::Volume& volume) {
+  std::error_code ignored;
+  if (volume.type != haptics::ScalarType::Float32 ||
+      !std::filesystem::is_regular_file(path, ignored))
+    return;
+  const auto survey = datasets::survey(path, {.cancel = &interruption()});
+  if (survey && std::ranges::any_of(survey->series, [](const datasets::SeriesVerdict& series) {
+        return holds(series.message, "volume-doubles-rounded");
+      }))
+    tell(resources::sentence(haptics::Message{"volume-doubles-rounded", {}}));
+}
+
+}  // namespace
+#endif
+
 haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const VolumeChoice& choice) {
   if (!choice.phantom.empty()) {
     auto phantom = datasets::makePhantom(choice.phantom);
@@ -130,6 +157,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> loadVolume(const Volum
   haptics::keepInput(choice.path);
   auto volume = datasets::readVolume(choice.path, readingOf(choice), {.cancel = &interruption()});
   if (!volume) return tl::unexpected(volume.error());
+  tellRounding(choice.path, *volume);
   return std::make_shared<const haptics::Volume>(std::move(*volume));
 #else
   return tl::unexpected(Error{Error::Kind::Unsupported, {"build-without-readers", {}}});

@@ -14,4 +14,7 @@ namespace app {
 RecordingFacts recordingFacts(const std::string& program,
                               const nlohmann::ordered_json& run = nlohmann::ordered_json::object());
 
+/// That a recording begins now, in ns since 1970 UTC: only if the user asked for it.
+nlohmann::ordered_json beganNow();
+
 }  // namespace app

@@ -102,6 +102,35 @@ class Cohort(unittest.TestCase):
         self.assertIn("1 of 1: two", done.stderr)
         self.assertEqual(tables(again), tables(self.serial))
 
+    def test_a_touch_is_the_run_of_the_same_options(self):
+        manifest = WORK / "own.tsv"
+        manifest.write_text(f"label\tpath\nown\t{NAME}/sphere.nrrd\n", encoding="utf-8")
+        mesh = pathlib.Path(__file__).resolve().parents[2] / "resources" / "tools" / "probe.obj"
+        how = {"--isovalue": 0, "--seconds": 1, "--stiffness": 700, "--angular-stiffness": 0.4, "--friction": 0.3,
+               "--field": "spline", "--normals": "cell", "--epsilon": 0.1, "--sub-steps": 3, "--budget": 40,
+               "--rate": 2000, "--tool-unit": "m"}
+        options = [str(word) for pair in how.items() for word in pair]
+        out = WORK / "own"
+        cli("cohort", manifest, out, *options, "--hand", "tap", "--tool-mesh", mesh, "--seed", "6", "--jobs", "2")
+        row, = rows(out)
+        run = json.loads(cli("run", "--volume", self.scans / "sphere.nrrd", *options, "--hand", "tap", "--tool", mesh,
+                             "--seed", "7", "--json").stdout)
+        self.assertEqual((row["status"], row["tool"], row["seed"]), ("ok", "mesh", "7"))
+        for column in ("friction", "field", "normals", "epsilon_voxels", "sub_steps", "rate_Hz", "budget_work",
+                       "angular_stiffness_Nm_rad", "stiffness_N_m", "seed"):
+            told = run["settings"][column]
+            self.assertEqual(row[column], told if isinstance(told, str) else f"{told:g}", column)
+        for column, value in (("force_max_N", run["max_force_N"]), ("torque_max_Nm", run["max_torque_Nm"]),
+                              ("work_per_tick", run["work_per_tick"]), ("contacts_max", run["max_contacts"]),
+                              ("coupling_mm", run["coupling_metric_mm"])):
+            self.assertAlmostEqual(float(row[column]) / value, 1.0, delta=2e-5, msg=column)
+        page = (out / "index.html").read_text()
+        self.assertNotIn("probe.obj", page)
+        self.assertIn("another manifest", cli("cohort", "merge", manifest, out, "--out", WORK / "no2", *options, "--hand",
+                                              "tap", "--tool-mesh", mesh, "--seed", "5", expect=3).stderr)
+        for wrong in (("--hand", "wave"), ("--tool", "spoon"), ("--tool", "mesh"), ("--rate", "3000")):
+            cli("cohort", manifest, WORK / "no3", "--isovalue", "0", *wrong, expect=2)
+
     def test_shards_of_another_manifest_or_build_are_refused(self):
         other = cli("cohort", "merge", self.manifest, self.serial, "--out", WORK / "no", "--seconds", "2",
                     "--hand", "tap,slide", "--tool", "sphere", expect=3)

@@ -2,6 +2,7 @@
 #include "ui/panels/recording_panel.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -94,6 +95,7 @@ QString linesOf(const PastRecording& recording) {
 RecordingPanel::RecordingPanel(QWidget* parent)
     : QWidget(parent),
       record_(new QPushButton),
+      when_(new QCheckBox(tr("State when it began"))),
       elapsed_(new Figure(tr("Time recorded"))),
       state_(wrappedLabel("recordState")),
       samples_(label("recordSamples")),
@@ -158,6 +160,10 @@ QWidget* RecordingPanel::buildFigures() {
     record_->setChecked(records);  // until it is told otherwise
     emit recordWanted(!records);
   });
+  when_->setObjectName("recordWhen");
+  when_->setToolTip(
+      tr("The next recording and its exports then hold date and time, to join them with other "
+         "devices. A date can tell who the patient is."));
   style::setType(*elapsed_, style::Type::Figure);
   elapsed_->setObjectName("recordElapsed");
   lost_->setWarning(true);
@@ -176,6 +182,7 @@ QWidget* RecordingPanel::buildFigures() {
   grid->addWidget(bytes_, 3, 1);
   grid->addWidget(room_, 3, 2, 1, 2, Qt::AlignRight);
   grid->addWidget(lost_, 4, 0, 1, 4);
+  grid->addWidget(when_, 5, 0, 1, 4);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
   return figures;
@@ -226,6 +233,8 @@ QWidget* RecordingPanel::buildList() {
   return all;
 }
 
+bool RecordingPanel::statesWhen() const { return when_->isChecked(); }
+
 void RecordingPanel::setReady(bool ready) {
   ready_ = ready;
   showState();
@@ -243,6 +252,7 @@ void RecordingPanel::showState() {
   record_->setChecked(records);
   // what has begun can be ended whatever else is
   record_->setEnabled(records || (ready_ && status_.state != State::Finishing));
+  when_->setEnabled(!records);
   mark_action_->setEnabled(records);
   mark_->setEnabled(records);
   note_->setEnabled(records);

@@ -8,6 +8,7 @@
 #include <optional>
 
 class QAction;
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -70,6 +71,8 @@ class RecordingPanel : public QWidget {
   QAction* markAction() { return mark_action_; }
   /// Chooses a recording of the list.
   void choose(const QString& id);
+  /// Whether the next recording states when it began; off until the user switches it on.
+  bool statesWhen() const;
   /// Asks for an export of the chosen recording; false: none is chosen that can be exported.
   bool exportChosen();
 
@@ -103,6 +106,7 @@ class RecordingPanel : public QWidget {
   void takeLabel();
 
   QPushButton* record_;
+  QCheckBox* when_;
   QLabel* elapsed_;
   WarningLabel* state_;
   QLabel* samples_;

@@ -27,7 +27,8 @@ struct Touching {
   haptics::Fineness fineness = {};
   haptics::ServoRate rate = {};
   std::int64_t budget_us = 0;  ///< counted, 100 units of work for each; 0: what the rate gives
-  std::uint64_t seed = 0;      ///< of the hands' aims: added to the number of the repetition
+  std::int64_t budget_work() const { return budget_us > 0 ? budget_us * 100 : rate.budget_work(); }
+  std::uint64_t seed = 0;  ///< of the hands' aims: added to the number of the repetition
   /// The mesh of the tool called "mesh": its file, its unit, and a hash of its bytes, by which
   /// shards know it.
   std::filesystem::path mesh = {};

@@ -249,7 +249,7 @@ class ScanAtHand {
     cells["epsilon_voxels"] = word(how.fineness.epsilon);
     cells["sub_steps"] = word(how.fineness.sub_steps);
     cells["rate_Hz"] = word(how.rate.hz);
-    cells["budget_work"] = word(loop.budget_work > 0 ? loop.budget_work : how.rate.budget_work());
+    cells["budget_work"] = word(how.budget_work());
     cells["seed"] = std::to_string(how.seed + static_cast<std::uint64_t>(repetition));
     haptics::ClosedLoop loop;
     loop.scene = shared(scene);
@@ -258,7 +258,7 @@ class ScanAtHand {
     loop.settings.angular_stiffness = how.angular_stiffness;
     loop.settings.friction = how.friction;
     loop.rate = how.rate;
-    loop.budget_work = how.budget_us * 100;
+    loop.budget_work = how.budget_work();
     loop.grip.gyration = std::sqrt(scene.tool.shell.inertia.trace() / 3.0);
     const double reach = haptics::Hand::reachFor(kDepth, how.stiffness, loop.grip.stiffness);
     auto aimed = haptics::Hand::aimed(motionOf(hand), scene, isovalue, reach,

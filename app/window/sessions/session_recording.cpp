@@ -23,13 +23,15 @@ SessionRecording::SessionRecording(haptics::Session& session, const Recordings& 
 SessionRecording::~SessionRecording() { end(); }
 
 haptics::Expected<void> SessionRecording::start(std::shared_ptr<const haptics::Scene> scene,
-                                                const std::string& tool) {
+                                                const std::string& tool, bool states_when) {
   if (recorder_ != nullptr || finisher_.isRunning())
     return tl::unexpected(haptics::Error{
         haptics::Error::Kind::Unsupported,
         tr("The last recording is being finished; try again in a moment.").toStdString(), "busy"});
   target_ = recordings_.next();
-  auto recorder = Recorder::create(target_, recordingFacts("palpate"), {.rate = session_.rate()});
+  auto recorder = Recorder::create(
+      target_, recordingFacts("palpate", states_when ? beganNow() : nlohmann::ordered_json{}),
+      {.rate = session_.rate()});
   if (!recorder) return tl::unexpected(recorder.error());
   recorder_ = std::move(*recorder);
   stopping_ = false;

@@ -25,9 +25,10 @@ class SessionRecording : public QObject {
                    VolumeIdentity& identity, QObject* parent = nullptr);
   ~SessionRecording() override;
 
-  /// Begins a recording. `scene` is the session's scene.
+  /// Begins a recording. `scene` is the session's scene. `states_when`: the recording holds the
+  /// time at which it began.
   haptics::Expected<void> start(std::shared_ptr<const haptics::Scene> scene,
-                                const std::string& tool);
+                                const std::string& tool, bool states_when = false);
   /// Ends the recording of ticks. Another thread finishes the file.
   void stop();
   /// Ends the recording and waits until the file is complete. The session must have been closed.

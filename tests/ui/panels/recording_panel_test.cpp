@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
@@ -167,6 +168,20 @@ TEST(RecordingPanel, SaysHowTheRecordingComesAlong) {
   EXPECT_FALSE(p.record->isEnabled());
   p.panel.show(running());
   EXPECT_TRUE(p.record->isEnabled());
+}
+
+TEST(RecordingPanel, WhenItBeganIsStatedOnlyIfThatIsSwitchedOn) {
+  Panel p;
+  auto* when = p.panel.findChild<QCheckBox*>("recordWhen");
+  ASSERT_NE(when, nullptr);
+  EXPECT_FALSE(p.panel.statesWhen());
+  EXPECT_TRUE(when->toolTip().contains("who the patient is"));
+  QTest::mouseClick(when, Qt::LeftButton, {}, {8, when->height() / 2});
+  EXPECT_TRUE(p.panel.statesWhen());
+  p.panel.show(running());  // too late
+  EXPECT_FALSE(when->isEnabled());
+  p.panel.show(ui::RecordingStatus{});
+  EXPECT_TRUE(when->isEnabled() && p.panel.statesWhen());
 }
 
 TEST(RecordingPanel, RoomIsRoundedDown) {
