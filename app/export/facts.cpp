@@ -27,11 +27,15 @@ std::string hexOf(const VolumeHash& hash) {
 }  // namespace
 
 haptics::Vec3 frictionOf(const haptics::Step& step) {
-  if (!(step.settings.friction > 0.0) || step.contacts.size() == 0) return haptics::Vec3::Zero();
-  haptics::Vec3 rest =
+  if (!(step.settings.friction > 0.0)) return haptics::Vec3::Zero();
+  haptics::Vec3 pushes = haptics::Vec3::Zero();
+  for (const haptics::BearingContact& contact : step.contacts) pushes += contact.push * contact.n_W;
+  const double size = pushes.norm();
+  if (!(size > 0.0)) return haptics::Vec3::Zero();
+  const haptics::Vec3 normal = pushes / size;
+  const haptics::Vec3 force =
       step.settings.stiffness * (step.X_WP.translation() - step.X_WD.translation());
-  for (const haptics::BearingContact& contact : step.contacts) rest -= contact.push * contact.n_W;
-  return rest;
+  return force - force.dot(normal) * normal;
 }
 
 ordered_json conventions() {

@@ -7,13 +7,13 @@
 
 namespace app::exporting {
 
-/// N: what the coupling asks of all contacts together beside their pushes: friction, once the proxy
-/// rests. Zero without friction or contact.
+/// N: the tangential force of all contacts together on the tool: the coupling's force without its
+/// part along the sum of their pushes. Zero without friction or contact.
 haptics::Vec3 frictionOf(const haptics::Step& step);
 inline constexpr const char* kFrictionMeaning =
-    "friction of all contacts together on the tool: the coupling's force less the contacts' "
-    "pushes, "
-    "at the tool, before the device's limits; exact where the proxy rests; 0 without friction";
+    "tangential force of all contacts together on the tool: the coupling's force, before the "
+    "device's "
+    "limits, without its part along the sum of the contacts' pushes; 0 without friction";
 
 /// What the numbers mean, a sentence for each: the quaternion's direction, the tool's origin, the
 /// law of the force.
