@@ -38,6 +38,7 @@ wanted = {
     "share/zsh/site-functions/_palpate", "share/zsh/site-functions/_palpate-cli",
     "share/fish/vendor_completions.d/palpate.fish", "share/fish/vendor_completions.d/palpate-cli.fish",
     "share/icons/hicolor/scalable/apps/palpate.svg", "share/icons/hicolor/symbolic/apps/palpate-symbolic.svg",
+    "share/palpate/schemas/run.schema.json", "share/palpate/schemas/results.schema.json",
     "share/doc/palpate/help/index.md", "share/doc/palpate/LICENSE"}
 wanted |= {f"share/icons/hicolor/{s}x{s}/apps/palpate.png" for s in (16, 22, 24, 32, 48, 64, 128, 256, 512)}
 assert not wanted - files, f"not installed: {sorted(wanted - files)}"
