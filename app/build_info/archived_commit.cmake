@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# git archive writes the commit here, for builds outside a repository.
+set(archived "$Format:%H$")
