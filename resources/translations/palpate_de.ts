@@ -20,14 +20,6 @@
         <translation>„%1“ braucht %2 durch Kommas getrennte Zahlen in Zeile %3.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has a rotation that is no unit quaternion.</source>
-        <translation>„%1“ enthält eine Drehung, die kein Einheitsquaternion ist.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; leads the hand further away than 100 m, which no hand goes; its positions are in metres.</source>
-        <translation>„%1“ führt die Hand weiter als 100 m weg, wohin keine Hand kommt; die Positionen gelten in Metern.</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; was saved by an earlier Palpate, in a version of views that this one does not read; use that one.</source>
         <translation>„%1“ wurde von einem früheren Palpate gespeichert, in einer Version der Ansichten, die dieses nicht liest; verwenden Sie jenes.</translation>
     </message>
@@ -1008,10 +1000,6 @@
         <translation>An der Stelle ist nichts Festes; zeigen Sie auf die Oberfläche, oder senken Sie den Isowert.</translation>
     </message>
     <message>
-        <source>No table or holder was found beside the patient; take it away with the lasso or as a piece.</source>
-        <translation>Neben dem Patienten wurden weder Tisch noch Halter gefunden; nehmen Sie sie mit dem Lasso oder als Stück weg.</translation>
-    </message>
-    <message>
         <source>The crop box reaches beyond the scan; draw it within.</source>
         <translation>Die Zuschneidebox reicht über die Aufnahme hinaus; ziehen Sie sie innerhalb auf.</translation>
     </message>
@@ -1671,6 +1659,38 @@
         <source>Axis %1 of %2, counted from 1, is of kind %3 and holds no places; export a volume of three axes and one value per voxel.</source>
         <translation>Achse %1 von %2, von 1 an gezählt, ist von der Art %3 und enthält keine Orte; exportieren Sie ein Volumen mit drei Achsen und einem Wert je Voxel.</translation>
     </message>
+    <message>
+        <source>Every voxel of the volume is %1, so it has no surface to touch; choose another series, or check the file.</source>
+        <translation>Jedes Voxel des Volumens ist %1, also hat es keine Oberfläche zum Berühren; wählen Sie eine andere Serie, oder prüfen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a number in column %2 of line %3 that is not finite; mend it.</source>
+        <translation>„%1“ hat in Spalte %2 von Zeile %3 eine Zahl, die nicht endlich ist; berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Column %2 of &quot;%1&quot; is called &quot;%3&quot;, where %4 belongs; the first eight columns of a hand are %5.</source>
+        <translation>Spalte %2 von „%1“ heißt „%3“, wo %4 hingehört; die ersten acht Spalten einer Hand sind %5.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a rotation in line %2 that is no unit quaternion.</source>
+        <translation>„%1“ hat in Zeile %2 eine Drehung, die kein Einheitsquaternion ist.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; leads the hand further away than 100 m in line %2, which no hand goes; its positions are in metres.</source>
+        <translation>„%1“ führt die Hand in Zeile %2 weiter als 100 m weg, was keine Hand tut; die Orte sind in Metern.</translation>
+    </message>
+    <message>
+        <source>The time of &quot;%1&quot; does not increase in line %2; each row needs a later time than the one before.</source>
+        <translation>Die Zeit von „%1“ nimmt in Zeile %2 nicht zu; jede Zeile braucht eine spätere Zeit als die vorige.</translation>
+    </message>
+    <message>
+        <source>Its voxels are 64-bit floating-point numbers, which were rounded to 32 bits.</source>
+        <translation>Seine Voxel sind Gleitkommazahlen von 64 Bit; sie wurden auf 32 Bit gerundet.</translation>
+    </message>
+    <message>
+        <source>No table or holder was found beside the patient; take it away with the scalpel, or as a piece.</source>
+        <translation>Neben dem Patienten wurde kein Tisch und keine Halterung gefunden; entfernen Sie sie mit dem Skalpell oder als Stück.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -1949,8 +1969,20 @@
         <translation>Lässt die Aufnahme, wie sie ist</translation>
     </message>
     <message>
-        <source>The cut takes %1, which is hatched.</source>
-        <translation>Der Schnitt nimmt %1, was schraffiert ist.</translation>
+        <source>All that is hatched goes, for the eye and the touch, soft tissue too: %1 of it is solid at the isovalue.</source>
+        <translation>Alles Schraffierte wird für Auge und Hand entfernt, auch Weichgewebe: %1 davon sind beim Isowert fest.</translation>
+    </message>
+    <message>
+        <source>Lift the tool</source>
+        <translation>Werkzeug abheben</translation>
+    </message>
+    <message>
+        <source>Takes the tool off the surface; a simulated hand gives it to the mouse</source>
+        <translation>Nimmt das Werkzeug von der Oberfläche; eine simulierte Hand gibt es der Maus</translation>
+    </message>
+    <message>
+        <source>Lift the handle of the device.</source>
+        <translation>Heben Sie den Griff des Geräts an.</translation>
     </message>
 </context>
 <context>
@@ -3003,6 +3035,18 @@
     <message>
         <source>marker</source>
         <translation>Marker</translation>
+    </message>
+    <message>
+        <source>bunny</source>
+        <translation>Hase</translation>
+    </message>
+    <message>
+        <source>engine</source>
+        <translation>Motor</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>Knochen</translation>
     </message>
 </context>
 <context>
@@ -6064,6 +6108,14 @@
         <source>Breaks</source>
         <translation>Lücken</translation>
     </message>
+    <message>
+        <source>State when it began</source>
+        <translation>Beginn mit Datum und Uhrzeit angeben</translation>
+    </message>
+    <message>
+        <source>The next recording and its exports then hold date and time, to join them with other devices. A date can tell who the patient is.</source>
+        <translation>Die nächste Aufzeichnung und ihre Exporte enthalten dann Datum und Uhrzeit, um sie mit anderen Geräten zu verbinden. Ein Datum kann verraten, wer der Patient ist.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ReplayBar</name>
@@ -6621,14 +6673,6 @@
         <translation>&amp;Eine Ebene</translation>
     </message>
     <message>
-        <source>Thick slab: &amp;maximum</source>
-        <translation>Slab: M&amp;aximum</translation>
-    </message>
-    <message>
-        <source>Thick slab: m&amp;ean</source>
-        <translation>Slab: Mi&amp;ttelwert</translation>
-    </message>
-    <message>
         <source>%1 thick</source>
         <translation>%1 dick</translation>
     </message>
@@ -6689,10 +6733,6 @@
         <translation>&amp;Zentrum und Breite…</translation>
     </message>
     <message>
-        <source>Thick slab: mi&amp;nimum</source>
-        <translation>Slab: Mi&amp;nimum</translation>
-    </message>
-    <message>
         <source>Level and width</source>
         <translation>Zentrum und Breite</translation>
     </message>
@@ -6703,6 +6743,22 @@
     <message>
         <source>&amp;Width</source>
         <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>Thick s&amp;lab</source>
+        <translation>S&amp;lab</translation>
+    </message>
+    <message>
+        <source>&amp;Maximum</source>
+        <translation>&amp;Maximum</translation>
+    </message>
+    <message>
+        <source>Mi&amp;nimum</source>
+        <translation>Mi&amp;nimum</translation>
+    </message>
+    <message>
+        <source>M&amp;ean</source>
+        <translation>Mitt&amp;elwert</translation>
     </message>
 </context>
 <context>
@@ -6748,12 +6804,31 @@
         <translation>links/rechts unbekannt</translation>
     </message>
     <message>
-        <source>Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits.</source>
-        <translation>Rad: Schichten. Ziehen: Fadenkreuz. Rechts ziehen: Grau. Strg+Rad: näher. %1: passt ein.</translation>
-    </message>
-    <message>
         <source>minimum of %1</source>
         <translation>Minimum von %1</translation>
+    </message>
+    <message>
+        <source>Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits all.</source>
+        <translation>Rad: Schichten. Ziehen: Fadenkreuz. Rechts ziehen: Grau. Strg+Rad: näher. %1: alle einpassen.</translation>
+    </message>
+    <message>
+        <source>Ax.</source>
+        <comment>axial</comment>
+        <translation>Ax.</translation>
+    </message>
+    <message>
+        <source>Cor.</source>
+        <comment>coronal</comment>
+        <translation>Kor.</translation>
+    </message>
+    <message>
+        <source>Sag.</source>
+        <comment>sagittal</comment>
+        <translation>Sag.</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Scan</translation>
     </message>
 </context>
 <context>
@@ -7550,10 +7625,6 @@
         <translation>%1, beim Schauen</translation>
     </message>
     <message>
-        <source>%1, mouse as hand</source>
-        <translation>%1, Maus als Hand</translation>
-    </message>
-    <message>
         <source>opens a file</source>
         <translation>öffnet eine Datei</translation>
     </message>
@@ -7972,6 +8043,10 @@
     <message>
         <source>takes level and width as numbers</source>
         <translation>nimmt Zentrum und Breite als Zahlen</translation>
+    </message>
+    <message>
+        <source>%1, while the mouse has the tool (%2)</source>
+        <translation>%1, während die Maus das Werkzeug hat (%2)</translation>
     </message>
 </context>
 </TS>
