@@ -6746,11 +6746,11 @@
     </message>
     <message>
         <source>Thick s&amp;lab</source>
-        <translation>S&amp;lab</translation>
+        <translation>&amp;Slab</translation>
     </message>
     <message>
         <source>&amp;Maximum</source>
-        <translation>&amp;Maximum</translation>
+        <translation>M&amp;aximum</translation>
     </message>
     <message>
         <source>Mi&amp;nimum</source>
@@ -6758,7 +6758,7 @@
     </message>
     <message>
         <source>M&amp;ean</source>
-        <translation>Mitt&amp;elwert</translation>
+        <translation>Mi&amp;ttelwert</translation>
     </message>
 </context>
 <context>
@@ -6809,7 +6809,7 @@
     </message>
     <message>
         <source>Wheel: slices. Drag: crosshair. Right drag: grey. Ctrl+wheel: nearer. %1: fits all.</source>
-        <translation>Rad: Schichten. Ziehen: Fadenkreuz. Rechts ziehen: Grau. Strg+Rad: näher. %1: alle einpassen.</translation>
+        <translation>Rad: Schichten. Ziehen: Fadenkreuz. Rechts ziehen: Grau. Strg+Rad: näher. %1: passt alle ein.</translation>
     </message>
     <message>
         <source>Ax.</source>
