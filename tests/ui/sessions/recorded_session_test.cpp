@@ -703,7 +703,10 @@ TEST(RecordedSession, AFilmHasMarksAndSecondSurfaceOfTheViewOnTheirOwnScanAlone)
     ASSERT_TRUE(adopted.wait(60'000));
   }
   application.marks().measures().replace(marks);
-  filmFirst(application, path("another.mp4"));
+  {
+    const Pressed agreed("Make the film");
+    filmFirst(application, path("another.mp4"));
+  }
   EXPECT_EQ(window::count(firstFrame(path("another.mp4")), markColoured), 0);
   application.marks().measures().clear();
 }

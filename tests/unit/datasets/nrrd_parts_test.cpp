@@ -206,7 +206,7 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
     EXPECT_EQ(v.error().reason, "not-scalar") << kind;
     std::string lower = kind;
     for (char& c : lower) c = static_cast<char>(std::tolower(c));
-    EXPECT_NE(sentence(v.error()).find("Axis 0 "), std::string::npos) << sentence(v.error());
+    EXPECT_NE(sentence(v.error()).find("Axis 1 "), std::string::npos) << sentence(v.error());
     EXPECT_NE(sentence(v.error()).find(lower), std::string::npos) << sentence(v.error());
   }
   // a list of flat pictures is no volume
@@ -214,7 +214,7 @@ TEST(NrrdVolumes, AxesOfOtherKindsAreRefusedByName) {
       "v.nrrd", headerInParts("kinds: domain domain list\nendian: little\nencoding: raw\n\n") +
                     voxels<std::int16_t>()));
   ASSERT_FALSE(flat);
-  EXPECT_NE(sentence(flat.error()).find("Axis 2 "), std::string::npos) << sentence(flat.error());
+  EXPECT_NE(sentence(flat.error()).find("Axis 3 "), std::string::npos) << sentence(flat.error());
   // nothing says which axis is no place
   EXPECT_EQ(readVolume(workshop.write("v.nrrd",
                                       "NRRD0005\ntype: short\ndimension: 4\nsizes: 11 7 5 "
