@@ -161,7 +161,7 @@ def plant(root, scratch):
 
     change("%1.*%2.*<translation>", lambda m: re.sub(r"%2(?=.*</translation>)", "%3", m))
     change("&amp;Undo<", lambda m: re.sub(r"(<translation>.*?)&amp;", r"\1", m))
-    change("Save &amp;picture…", lambda m: m.replace("…</translation>", "</translation>"))
+    change("ve picture…", lambda m: m.replace("…</translation>", "</translation>"))
     change("Half of the ticks", lambda m: m.replace("<translation>", '<translation type="unfinished">'))
     change("has %2 components, not one", lambda m: "")
     ts.write_text(text)
