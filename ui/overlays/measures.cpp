@@ -59,6 +59,14 @@ QPointF nearestOf(const QRectF& box, QPointF p) {
   return {std::clamp(p.x(), box.left(), box.right()), std::clamp(p.y(), box.top(), box.bottom())};
 }
 
+/// Whether a handle of the 3-D view is in it: behind the eye nothing is seen, though it is
+/// projected.
+bool isBefore(const ViewGeometry& view, const Eigen::Vector3d& p_mm, QPointF at) {
+  Eigen::Vector3d from, along;
+  view.sight(at, from, along);
+  return view.axes().col(2).dot(p_mm - from) < 0.0 && view.widget().rect().contains(at.toPoint());
+}
+
 /// The share of a line's length that lies in a box.
 double shareInside(const QPolygonF& line, const QRectF& box) {
   constexpr int kSteps = 24;
@@ -69,7 +77,7 @@ double shareInside(const QPolygonF& line, const QRectF& box) {
   return all == 0 ? 0.0 : double(inside) / all;
 }
 
-constexpr double kOverBody = 3e3;  // how bad that is for a label
+constexpr double kOverBody = 3e3, kOverWords = 1e4;  // how bad that is for a label
 
 /// Where a label of this size goes, and how bad that is: near its anchor, within the view, on no
 /// handle, clear of other labels and of the body as far as there is room. Without a search only
@@ -101,7 +109,7 @@ std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygon
       if (box.adjusted(-kReach, -kReach, kReach, kReach).contains(p)) cost += 1e5;
     if (cost >= least) continue;
     for (const QRectF& other : taken)
-      if (other.adjusted(-2.0, -2.0, 2.0, 2.0).intersects(box)) cost += 1e4;
+      if (other.adjusted(-2.0, -2.0, 2.0, 2.0).intersects(box)) cost += kOverWords;
     if (cost < least && view.showsBody(box.adjusted(-4.0, -4.0, 4.0, 4.0))) cost += kOverBody;
     if (cost < least) cost += 1e3 * shareInside(line, box);
     if (cost >= least) continue;
@@ -261,6 +269,16 @@ Eigen::Vector3d Measures::inScan(const Eigen::Vector3d& p_mm) const {
   return grid.worldOf(index) * kMmPerM;
 }
 
+QPolygonF Measures::handlesIn(const ViewGeometry& view) const {
+  QPolygonF handles;
+  for (const Measure& measure : all_)
+    for (const Eigen::Vector3d& p_mm : measure.places_mm)
+      if (const QPointF at = view.projected(p_mm);
+          view.isSlice() ? std::abs(view.offset_mm(p_mm)) <= kFaint_mm : isBefore(view, p_mm, at))
+        handles << at;
+  return handles;
+}
+
 Measures::Handle Measures::handleOf(const ViewGeometry& view, const Eigen::Vector3d& p_mm) const {
   Handle handle{.at = view.projected(p_mm)};
   const Eigen::Vector3d towards = view.axes().col(2);
@@ -273,11 +291,7 @@ Measures::Handle Measures::handleOf(const ViewGeometry& view, const Eigen::Vecto
     handle.shown = !handle.hollow || off <= kFaint_mm;
     return handle;
   }
-  Eigen::Vector3d from, along;
-  view.sight(handle.at, from, along);
-  // behind the eye nothing is seen, though it is projected
-  handle.shown =
-      towards.dot(p_mm - from) < 0.0 && view.widget().rect().contains(handle.at.toPoint());
+  handle.shown = isBefore(view, p_mm, handle.at);
   handle.hollow = handle.shown && isBehindSurface(view, p_mm, handle.at);
   return handle;
 }
@@ -357,7 +371,7 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
   }
   if (travel_) handles << view.projected(travel_->from_mm);
   std::vector<MeasureLabel> labels;
-  std::vector<QRectF> taken;
+  std::vector<QRectF> taken = view.taken();
   constexpr int kMostSearched = 30;  // each takes up to a millisecond
   int searched = 0;
   // in more lines where it is then nearer by far, or over nothing
@@ -374,8 +388,9 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
       least = cost + kLineBreak * static_cast<double>(n);
       label = {texts[n], box, anchor};
     }
-    // where only the body has room, the list and a click on the mark have its words
-    if (view.isSlice() && least >= kOverBody && !chosen) return;
+    // where only the body or other words have room, the list and a click on the mark have its
+    // words; in 3-D a body may fill the view
+    if (least >= (view.isSlice() ? kOverBody : kOverWords) && !chosen) return;
     taken.push_back(label.box);
     labels.push_back(std::move(label));
   };

@@ -3,9 +3,11 @@
 
 #include <QObject>
 #include <QPointF>
+#include <QPolygonF>
 #include <QRectF>
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "haptics/core/geometry.h"
 #include "ui/controls/bindings.h"
@@ -41,6 +43,8 @@ class ViewGeometry {
   virtual QRectF room() const;
   /// Whether a box of the view shows some of the body, where nothing should be written.
   virtual bool showsBody(const QRectF& box) const = 0;
+  /// Where other words stand, beside which nothing is written; the default is nowhere.
+  virtual std::vector<QRectF> taken() const;
 };
 
 /// Something that is drawn over the views and may be dragged there: handles of a crop box, an
@@ -62,6 +66,8 @@ class Overlay : public QObject {
   virtual bool key(const ViewGeometry& view, const QKeyEvent& event);
   /// What the key that stands for a click means to this overlay.
   virtual Action keyForClick() const { return Action::SetPlaceOfEdit; }
+  /// Where it has handles in a view.
+  virtual QPolygonF handlesIn(const ViewGeometry& view) const;
   /// What the mouse and Enter do over the views while this overlay takes them; empty: nothing.
   virtual QString hint() const;
   /// What a picture of one view says below it because of this overlay; empty: nothing.

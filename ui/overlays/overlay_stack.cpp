@@ -86,6 +86,14 @@ bool OverlayStack::key(const ViewGeometry& geometry, const QKeyEvent& event, QPo
   return release(geometry, up);
 }
 
+bool OverlayStack::hasHandleIn(const ViewGeometry& geometry, const QRectF& part) const {
+  for (const QPointer<Overlay>& overlay : overlays_)
+    if (overlay)
+      for (const QPointF& at : overlay->handlesIn(geometry))
+        if (part.contains(at)) return true;
+  return false;
+}
+
 QString OverlayStack::hint() const {
   for (const QPointer<Overlay>& overlay : overlays_ | std::views::reverse)
     if (const QString hint = overlay ? overlay->hint() : QString(); !hint.isEmpty()) return hint;

@@ -26,6 +26,7 @@ class OverlayStack {
   bool doubleClick(const ViewGeometry& geometry, const QMouseEvent& event);
   /// Enter clicks at `at`, the crosshair or the middle of the view, as the left button would.
   bool key(const ViewGeometry& geometry, const QKeyEvent& event, QPointF at);
+  bool hasHandleIn(const ViewGeometry& geometry, const QRectF& part) const;
   /// That of the uppermost overlay that has one; else empty.
   QString hint() const;
   QString note() const;

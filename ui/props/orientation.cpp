@@ -23,16 +23,19 @@ using style::kCubeDark, style::kCubeLight;
 
 }  // namespace
 
-void paintOutlined(QPainter& painter, QPointF baseline, const QFont& font, const QColor& colour,
-                   const QString& text) {
+void paintPlated(QPainter& painter, const PlatedWords& words, const QFont& font,
+                 const QColor& colour) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(style::kViewGround);
+  painter.drawRoundedRect(words.plate, 3.0, 3.0);
   painter.setFont(font);
-  // as text: paths have rough edges where OpenGL paints them
-  painter.setPen(style::kViewRim);
-  for (const QPointF by : {QPointF{1.0, 0.0}, QPointF{-1.0, 0.0}, QPointF{0.0, 1.0},
-                           QPointF{0.0, -1.0}, QPointF{1.0, 1.0}, QPointF{-1.0, -1.0}})
-    painter.drawText(baseline + by, text);
   painter.setPen(colour);
-  painter.drawText(baseline, text);
+  painter.drawText(words.plate, Qt::AlignCenter | Qt::TextDontClip, words.text);
+}
+
+QSizeF plateSize(const QFont& font, const QString& text) {
+  const QFontMetricsF metrics(font);
+  return {std::ceil(metrics.horizontalAdvance(text)) + 6.0, std::ceil(metrics.ascent()) + 2.0};
 }
 
 Eigen::Vector3d directionOf(Side side) {
@@ -80,22 +83,49 @@ std::array<QString, 4> edgeLettersOf(const Eigen::Matrix3d& axes) {
           lettersTowards(-axes.col(1))};
 }
 
-void paintEdgeLetters(QPainter& painter, const QRectF& area, const Eigen::Matrix3d& axes) {
+QFont edgeLetterFont() {
   QFont font = QApplication::font();
   font.setBold(true);
   font.setPixelSize(17);
-  const QFontMetricsF metrics(font);
+  return font;
+}
+
+std::array<PlatedWords, 4> edgeLettersIn(const QRectF& area, const Eigen::Matrix3d& axes,
+                                         const std::vector<QRectF>& covered) {
+  constexpr double kStep = 4.0;  // px
+  const QFont font = edgeLetterFont();
   const std::array<QString, 4> letters = edgeLettersOf(axes);
-  const double high = metrics.capHeight();
-  const auto wide = [&](const QString& text) { return metrics.horizontalAdvance(text); };
-  const auto outlined = [&](QPointF baseline, const QString& text) {
-    paintOutlined(painter, baseline, font, style::kLetter, text);
-  };
-  const QPointF middle = area.center();
-  outlined({area.left() + kEdgeMargin, middle.y() + 0.5 * high}, letters[0]);
-  outlined({area.right() - kEdgeMargin - wide(letters[1]), middle.y() + 0.5 * high}, letters[1]);
-  outlined({middle.x() - 0.5 * wide(letters[2]), area.top() + kEdgeMargin + high}, letters[2]);
-  outlined({middle.x() - 0.5 * wide(letters[3]), area.bottom() - kEdgeMargin}, letters[3]);
+  const QRectF room = area.adjusted(kEdgeMargin, kEdgeMargin, -kEdgeMargin, -kEdgeMargin);
+  const std::array<QPointF, 4> inward{{{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}};
+  std::array<PlatedWords, 4> placed;
+  for (std::size_t n = 0; n < letters.size(); ++n) {
+    const QSizeF size = plateSize(font, letters[n]);
+    QRectF first(QPointF{}, size);
+    first.moveCenter(room.center());
+    if (n == 0) first.moveLeft(room.left());
+    if (n == 1) first.moveRight(room.right());
+    if (n == 2) first.moveTop(room.top());
+    if (n == 3) first.moveBottom(room.bottom());
+    placed[n] = {letters[n], first};
+    const QPointF in = inward[n], along{in.y(), in.x()};
+    const auto isFree = [&](const QRectF& plate) {
+      return room.contains(plate) && std::ranges::none_of(covered, [&](const QRectF& part) {
+               return part.intersects(plate);
+             });
+    };
+    // along its edge first, then away from it
+    double least = isFree(first) ? 0.0 : INFINITY;
+    const double reach = std::max(room.width(), room.height());
+    for (double away = 0.0; away < std::min(least, 0.5 * reach); away += kStep)
+      for (double aside = 0.0; away + aside < std::min(least, reach); aside += kStep)
+        for (const double way : {1.0, -1.0}) {
+          const QRectF plate = first.translated(in * away + along * (way * aside));
+          if (away + aside >= least || !isFree(plate)) continue;
+          least = away + aside;
+          placed[n].plate = plate;
+        }
+  }
+  return placed;
 }
 
 QRectF OrientationCube::placeIn(const QSizeF& view) {

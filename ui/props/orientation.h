@@ -34,12 +34,21 @@ QString lettersTowards(const Eigen::Vector3d& direction_W);
 /// right, up, towards the viewer).
 std::array<QString, 4> edgeLettersOf(const Eigen::Matrix3d& axes);
 
-/// Writes words that can be read on bone and on the ground: they have a dark rim.
-void paintOutlined(QPainter& painter, QPointF baseline, const QFont& font, const QColor& colour,
-                   const QString& text);
+/// Words on a plate in the colour of the view's ground, so that nothing shines through them.
+struct PlatedWords {
+  QString text;
+  QRectF plate;
+};
+void paintPlated(QPainter& painter, const PlatedWords& words, const QFont& font,
+                 const QColor& colour);
+/// The room that a plate needs.
+QSizeF plateSize(const QFont& font, const QString& text);
 
-/// Writes the edge letters, a little off the edges of `area`.
-void paintEdgeLetters(QPainter& painter, const QRectF& area, const Eigen::Matrix3d& axes);
+QFont edgeLetterFont();
+/// The edge letters, a little off the edges of `area`: each in the middle of its edge, or as near
+/// to that as what is `covered` leaves it room.
+std::array<PlatedWords, 4> edgeLettersIn(const QRectF& area, const Eigen::Matrix3d& axes,
+                                         const std::vector<QRectF>& covered);
 
 /// A cube that turns with the patient, with a letter on each side.
 class OrientationCube {

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kTurnPerWidget = 180.0;  // degrees for a drag across the widget
 constexpr double kViewAngle_deg = 30.0;
-constexpr double kMargin = 1.08;  // of what is framed
+constexpr double kMargin = 1.08;                         // of what is framed
+constexpr double kLetterSide = 42.0, kLetterEnd = 30.0;  // px, at the edges, where letters stand
 const double kHalf = std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180.0);
 
 }  // namespace
@@ -134,12 +135,16 @@ void SpaceCamera::fit(std::vector<Eigen::Vector3d> outline_mm, const Eigen::Matr
   Eigen::AlignedBox3d taken_mm;
   for (const Eigen::Vector3d& p_mm : outline_mm) taken_mm.extend(axes.transpose() * p_mm);
   const Eigen::Vector3d reach = 0.5 * taken_mm.sizes(), centre_mm = axes * taken_mm.center();
-  const double aspect =
-      static_cast<double>(std::max(1, view_.width())) / std::max(1, view_.height());
-  const double half = std::max(reach.y(), reach.x() / aspect) + 0.03 * taken_mm.sizes().norm();
+  const double width = std::max(1, view_.width()), height = std::max(1, view_.height());
+  const double about =
+      kMargin * (std::max(reach.y(), reach.x() * height / width) + 0.03 * taken_mm.sizes().norm());
+  // beside the letters at the edges
+  const double half =
+      std::max({about, reach.y() * height / std::max(1.0, height - 2.0 * kLetterEnd),
+                reach.x() * height / std::max(1.0, width - 2.0 * kLetterSide)});
   // without perspective the middle is as large as the front is with it
-  camera_->SetParallelScale(kMargin * half);
-  set(centre_mm + axes.col(2) * (kMargin * half / kHalf + reach.z()), centre_mm);
+  camera_->SetParallelScale(half);
+  set(centre_mm + axes.col(2) * (half / kHalf + reach.z()), centre_mm);
   fit_ = Fit{std::move(outline_mm), half_mm()};
 }
 

@@ -71,6 +71,11 @@ class VolumeView::Geometry : public ViewGeometry {
     return QRectF(view_.rect()).adjusted(kLetterSide, kLetterEnd, -kLetterSide, -kLetterEnd);
   }
   bool showsBody(const QRectF& box) const override { return view_.showsBody(box); }
+  std::vector<QRectF> taken() const override {
+    std::vector<QRectF> boxes = view_.wordBoxes();
+    boxes.insert(boxes.end(), view_.covered_.begin(), view_.covered_.end());
+    return boxes;
+  }
 
  private:
   VolumeView& view_;
@@ -429,6 +434,16 @@ void VolumeView::tellPointed() {
 
 QPointF VolumeView::projected(const haptics::Vec3& p_W) const {
   return camera_.projected(p_W * kMmPerM);
+}
+
+bool VolumeView::isHandleIn(const QRect& part) const {
+  return overlays_.hasHandleIn(*geometry_, part);
+}
+
+void VolumeView::setCovered(std::vector<QRectF> parts) {
+  if (parts == covered_) return;
+  covered_ = std::move(parts);
+  update();
 }
 
 void VolumeView::addOverlay(Overlay& overlay) {

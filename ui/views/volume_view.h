@@ -94,8 +94,14 @@ class VolumeView : public Viewport, public Spoken {
   vtkCamera* camera() const { return camera_.vtk(); }
   /// Whether the mouse would take hold of the tool there.
   bool isOnTool(QPointF at) const;
+  /// What lies over the view: the words in it keep clear of that.
+  void setCovered(std::vector<QRectF> parts);
+  /// The boxes of the words in it, and of its cube, apart from those of overlays.
+  std::vector<QRectF> wordBoxes() const;
   /// Whether something of the tool is drawn in this part of the view.
   bool isToolIn(const QRect& part) const;
+  /// Whether something there can be dragged.
+  bool isHandleIn(const QRect& part) const;
   /// What the mouse does here, in a line.
   QString hint() const;
   /// The view's picture, `scale` times as large as its widget: with letters and overlays. Null if
@@ -179,8 +185,12 @@ class VolumeView : public Viewport, public Spoken {
   void tellPointed();
   /// Whether the box that the surface fills is seen in a box of the view.
   bool showsBody(const QRectF& box);
-  void paintOver(QPainter& painter, const QSizeF& size) const;
+  void paintOver(QPainter& painter) const;
   void paintContacts(QPainter& painter) const;
+  /// Words below the cube where left and right are not known.
+  PlatedWords unknownSides() const;
+  /// What the letters at the edges keep clear of.
+  std::vector<QRectF> besideLetters() const;
 
   SpaceCamera camera_{*this};
   vtkSmartPointer<vtkRenderer> surface_layer_;
@@ -201,6 +211,7 @@ class VolumeView : public Viewport, public Spoken {
   haptics::Snapshot last_;
   bool displayed_ = false;
   bool contacts_shown_ = false;
+  std::vector<QRectF> covered_;
   bool mouse_hand_ = false;
   MouseMode mode_ = MouseMode::Look;
   MouseChoices mouse_;

@@ -29,7 +29,7 @@ void VolumeView::paintGL() {
   Viewport::paintGL();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  paintOver(painter, size());
+  paintOver(painter);
   if (!hasFocus()) return;
   // of the widget alone, and in no picture; as slices show it
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -38,24 +38,45 @@ void VolumeView::paintGL() {
   painter.drawRect(rect().adjusted(1, 1, -2, -2));
 }
 
-void VolumeView::paintOver(QPainter& painter, const QSizeF& size) const {
+void VolumeView::paintOver(QPainter& painter) const {
   if (!box_mm_.isEmpty()) {
     if (contacts_shown_) paintContacts(painter);
     overlays_.paint(painter, *geometry_);
     const Eigen::Matrix3d axes = viewAxes();
-    const QRectF cube = OrientationCube::placeIn(size);
-    OrientationCube::paint(painter, cube, axes, orientation_known_);
-    if (orientation_known_) {
-      paintEdgeLetters(painter, {QPointF{}, size}, axes);
-    } else {
-      const QString text = tr("left/right unknown");
-      const double wide = painter.fontMetrics().horizontalAdvance(text);
-      paintOutlined(painter, {size.width() - wide - 10.0, cube.bottom() + 16.0}, painter.font(),
-                    style::kContact, text);
-    }
+    OrientationCube::paint(painter, OrientationCube::placeIn(size()), axes, orientation_known_);
+    if (orientation_known_)
+      for (const PlatedWords& letters : edgeLettersIn(rect(), axes, besideLetters()))
+        paintPlated(painter, letters, edgeLetterFont(), style::kLetter);
+    else
+      paintPlated(painter, unknownSides(), font(), style::kContact);
   } else {
     overlays_.paint(painter, *geometry_);
   }
+}
+
+PlatedWords VolumeView::unknownSides() const {
+  const QString text = tr("left/right unknown");
+  QRectF plate(QPointF{}, plateSize(font(), text));
+  plate.moveTopRight(OrientationCube::placeIn(size()).bottomRight());
+  return {text, plate};
+}
+
+std::vector<QRectF> VolumeView::besideLetters() const {
+  std::vector<QRectF> parts = covered_;
+  parts.push_back(OrientationCube::placeIn(size()));
+  return parts;
+}
+
+std::vector<QRectF> VolumeView::wordBoxes() const {
+  if (box_mm_.isEmpty()) return {};
+  std::vector<QRectF> boxes{OrientationCube::placeIn(size())};
+  if (!orientation_known_) {
+    boxes.push_back(unknownSides().plate);
+    return boxes;
+  }
+  for (const PlatedWords& letters : edgeLettersIn(rect(), viewAxes(), besideLetters()))
+    boxes.push_back(letters.plate);
+  return boxes;
 }
 
 void VolumeView::paintContacts(QPainter& painter) const {
@@ -98,8 +119,13 @@ void VolumeView::paintContacts(QPainter& painter) const {
       painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
       painter.drawPath(arrow);
     }
-    paintOutlined(painter, head + QPointF{8.0, -6.0}, painter.font(), style::kContact,
-                  tr("%L1 N").arg(force.norm(), 0, 'f', 1));
+    const QString text = tr("%L1 N").arg(force.norm(), 0, 'f', 1);
+    QRectF plate(QPointF{}, plateSize(font(), text));
+    plate.moveBottomLeft(head + QPointF{8.0, -2.0});
+    // the card has it, too
+    const std::vector<QRectF> taken = geometry_->taken();
+    if (std::ranges::none_of(taken, [&](const QRectF& part) { return part.intersects(plate); }))
+      paintPlated(painter, {text, plate}, font(), style::kContact);
   }
   painter.restore();
 }
@@ -119,9 +145,12 @@ QImage VolumeView::picture(double scale) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(scale, scale);
   painter.setFont(font());
-  paintOver(painter, size());
+  paintOver(painter);
   if (const QString note = overlays_.note(); !note.isEmpty())
-    paintOutlined(painter, {8.0, height() - 8.0}, font(), style::kContact, note);
+    paintPlated(
+        painter,
+        {note, {{6.0, height() - 6.0 - plateSize(font(), note).height()}, plateSize(font(), note)}},
+        font(), style::kContact);
   return image;
 }
 

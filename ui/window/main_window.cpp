@@ -298,6 +298,8 @@ void MainWindow::addOverView(Banner& banner) {
 /// Over the 3-D view, beside its cube; over all views where that is hidden or too narrow.
 void MainWindow::placeOverView() {
   int top = kTopOfView;
+  const QWidget& volume = views_->volume();
+  QList<QRect> covered;
   for (Banner* banner : over_view_) {
     if (banner->isHidden()) continue;
     const auto placeOf = [&](const QWidget& view) {
@@ -305,15 +307,17 @@ void MainWindow::placeOverView() {
       return QRect(view.mapTo(banner->parentWidget(), QPoint{0, top}),
                    QSize(width, banner->heightForWidth(width)));
     };
-    const QWidget& volume = views_->volume();
     QRect place = placeOf(volume);
     if (!volume.isVisible() || place.width() < banner->minimumSizeHint().width())
       place = placeOf(views_->layout());
     top += place.height() + style::kStep;
+    covered << QRect(volume.mapFrom(this, banner->parentWidget()->mapTo(this, place.topLeft())),
+                     place.size());
     if (banner->geometry() == place) continue;
     banner->setGeometry(place);
     banner->raise();
   }
+  views_->setSentences(covered);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/controls/bindings.h"
 #include "ui/panels/force_panel.h"
@@ -22,7 +23,8 @@ constexpr int kBelowCube = 108, kBelowSentences = 84, kAboutCard = 8;
 constexpr std::size_t kCorners = 4;
 constexpr QSize kRoomForPlot{420, 320}, kRoomForCard{150, 100};  // px, of the view
 constexpr int kButton = 20;                                      // px
-constexpr int kHint = 34;  // px, height of two lines: another hint moves no view
+constexpr int kBesideLetters = 30;  // px, from the edge of the 3-D view
+constexpr int kHint = 34;           // px, height of two lines: another hint moves no view
 
 enum class Sign { Menu, Larger, Smaller, Close, Fit, Follow, Stay };
 
@@ -186,13 +188,18 @@ void ViewFrame::placePointed() {
   if (pointed_->isHidden()) return;
   const QRect view = view_->geometry();
   pointed_->resize(pointed_->sizeHint());
-  QRect plate(view.topLeft() + QPoint{6, 6}, pointed_->size());
-  constexpr int kClear = 24;  // px, from the pointer
-  if (plate.adjusted(-kClear, -kClear, kClear, kClear).contains(mapFromGlobal(QCursor::pos())))
-    plate.moveBottom(view.bottom() - 6);
-  constexpr int kOffCard = 4;
-  if (card_ != nullptr && card_->isVisible() && plate.intersects(card_->geometry()))
-    plate.moveBottom(card_->geometry().top() - kOffCard);
+  constexpr int kClear = 24, kStep = 8;  // px, from the pointer, and between two places
+  // between the letters at the edges and the middle
+  const QRect room =
+      view.adjusted(kBesideLetters, kBesideLetters, -kBesideLetters, -kBesideLetters);
+  const QPoint pointer = mapFromGlobal(QCursor::pos());
+  QRect plate(room.topLeft(), pointed_->size());
+  const auto isFree = [&] {
+    const QRectF part(plate.translated(-view.topLeft()));
+    return !plate.adjusted(-kClear, -kClear, kClear, kClear).contains(pointer) &&
+           std::ranges::none_of(covered_, [&](const QRectF& one) { return one.intersects(part); });
+  };
+  while (!isFree() && plate.bottom() + kStep <= room.bottom()) plate.translate(0, kStep);
   pointed_->setGeometry(plate);
   pointed_->raise();
 }
@@ -229,9 +236,10 @@ QSize ViewFrame::minimumSizeHint() const {
   return view_->minimumSize().expandedTo({120, 100}) + QSize{0, kLine + hint};
 }
 
-void ViewFrame::setCard(ForcePanel& card, std::function<bool(const QRect& part)> taken) {
+void ViewFrame::setCard(ForcePanel& card, IsIn taken, IsIn disliked) {
   card_ = &card;
   taken_ = std::move(taken);
+  disliked_ = std::move(disliked);
   card.setParent(this);
   card.show();
   connect(&card, &ForcePanel::foldWanted, this, [this](bool folded) {
@@ -299,26 +307,50 @@ void ViewFrame::keepCardClear() {
   };
   card_->setVisible(holds(kRoomForCard));
   card_->setCompact(!holds(kRoomForPlot));
-  const auto isFree = [&](std::size_t corner, bool folded) {
-    const QRect part =
-        cardIn(corner, folded).adjusted(-kAboutCard, -kAboutCard, kAboutCard, kAboutCard);
-    return !taken_(part.translated(-view_->pos()));
+  const auto isFree = [&](std::size_t corner, bool folded, bool liked) {
+    const QRect part = cardIn(corner, folded)
+                           .adjusted(-kAboutCard, -kAboutCard, kAboutCard, kAboutCard)
+                           .translated(-view_->pos());
+    return !meetsSentence(part) && !taken_(part) && (!liked || !disliked_(part));
   };
   bool folded = true;
-  for (const bool one_line : {card_folded_, true}) {
+  const std::pair<bool, bool> ways[] = {{card_folded_, true}, {card_folded_, false}, {true, false}};
+  for (const auto& [one_line, liked] : ways) {
     std::size_t n = corner_;  // where it is, as long as it may
-    for (std::size_t other = 0; other < kCorners && !isFree(n, one_line); ++other) n = other;
-    if (!isFree(n, one_line)) continue;
+    for (std::size_t other = 0; other < kCorners && !isFree(n, one_line, liked); ++other) n = other;
+    if (!isFree(n, one_line, liked)) continue;
     corner_ = n;
     folded = one_line;
     break;
   }
   card_->setFolded(folded);
   const QRect place = cardIn(corner_, folded);
-  if (card_->geometry() == place) return;
-  card_->setGeometry(place);
-  card_->raise();
+  if (card_->geometry() != place) {
+    card_->setGeometry(place);
+    card_->raise();
+  }
+  tellCovered();
+}
+
+void ViewFrame::setSentences(const QList<QRect>& parts) {
+  if (parts == sentences_) return;
+  sentences_ = parts;
+  keepCardClear();
+  tellCovered();
+}
+
+bool ViewFrame::meetsSentence(const QRect& part) const {
+  return std::ranges::any_of(sentences_, [&](const QRect& one) { return one.intersects(part); });
+}
+
+void ViewFrame::tellCovered() {
+  std::vector<QRectF> parts(sentences_.begin(), sentences_.end());
+  if (card_ != nullptr && !card_->isHidden())
+    parts.emplace_back(card_->geometry().translated(-view_->pos()));
+  if (parts == covered_) return;
+  covered_ = parts;
   placePointed();
+  emit coveredChanged(covered_);
 }
 
 }  // namespace ui

@@ -3,9 +3,11 @@
 
 #include <QColor>
 #include <QList>
+#include <QRect>
 #include <QWidget>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 class QLabel;
 class QToolButton;
@@ -35,10 +37,14 @@ class ViewFrame : public QWidget {
   int buttonRoom() const;
   /// Shows the force in a corner of the view, at first the lower right one: the figure alone where
   /// the view is small, and not at all where it would cover the most of it. `taken`: whether there
-  /// is something in this part of the view that must not be covered.
-  void setCard(ForcePanel& card, std::function<bool(const QRect& part)> taken);
+  /// is something in this part of the view that must not be covered; `disliked`: something that is
+  /// covered only where the card has no other corner.
+  using IsIn = std::function<bool(const QRect& part)>;
+  void setCard(ForcePanel& card, IsIn taken, IsIn disliked);
   /// Moves the card to a corner that is free, folded to one line where nothing else is.
   void keepCardClear();
+  /// Where sentences lie over the view, in its coordinates.
+  void setSentences(const QList<QRect>& parts);
   /// Whether the user folded the card.
   bool cardFolded() const { return card_folded_; }
   void setCardFolded(bool folded);
@@ -50,6 +56,8 @@ class ViewFrame : public QWidget {
   void maximiseWanted();
   /// The user folded the card, or unfolded it.
   void cardFoldedChanged();
+  /// The card or sentences cover other parts of the view.
+  void coveredChanged(const std::vector<QRectF>& parts);
   void menuWanted(QPoint at);
   void fitWanted();
   void followWanted(bool on);
@@ -64,6 +72,8 @@ class ViewFrame : public QWidget {
   void place();
   void placePointed();
   QRect cardIn(std::size_t corner, bool folded) const;
+  bool meetsSentence(const QRect& part) const;
+  void tellCovered();
 
   QWidget* view_;
   QColor colour_;
@@ -78,9 +88,11 @@ class ViewFrame : public QWidget {
   bool hint_shown_ = true;
   bool maximised_ = false;
   ForcePanel* card_ = nullptr;
-  std::function<bool(const QRect&)> taken_;
+  IsIn taken_, disliked_;
   bool card_folded_ = false;
   std::size_t corner_ = 0;  ///< of the card
+  QList<QRect> sentences_;
+  std::vector<QRectF> covered_;
 };
 
 }  // namespace ui

@@ -27,6 +27,7 @@ Views::Views(QWidget* window)
   frames[0]->setHint(volume_->hint());
   connect(volume_, &VolumeView::hintChanged, frames[0], &ViewFrame::setHint);
   connect(volume_, &VolumeView::pointedChanged, frames[0], &ViewFrame::setPointed);
+  connect(frames[0], &ViewFrame::coveredChanged, volume_, &VolumeView::setCovered);
   for (SliceView* slice : slices_->slices()) {
     auto* frame = new ViewFrame(slice, colourOf(slice->plane()), true);
     frames[static_cast<std::size_t>(slice->plane()) + 1] = frame;
@@ -116,9 +117,13 @@ void Views::addAction(QAction& action) {
 ViewFrame& Views::volumeFrame() const { return static_cast<ViewFrame&>(*volume_->parentWidget()); }
 
 void Views::setForceCard(ForcePanel& card) {
-  volumeFrame().setCard(card, [this](const QRect& part) { return volume_->isToolIn(part); });
+  volumeFrame().setCard(
+      card, [this](const QRect& part) { return volume_->isToolIn(part); },
+      [this](const QRect& part) { return volume_->isHandleIn(part); });
   connect(&volumeFrame(), &ViewFrame::cardFoldedChanged, this, &Views::cardFoldedChanged);
 }
+
+void Views::setSentences(const QList<QRect>& parts) { volumeFrame().setSentences(parts); }
 
 void Views::setMouse(const MouseChoices& mouse) {
   volume_->setMouse(mouse);

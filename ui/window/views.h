@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QList>
 #include <QObject>
+#include <QRect>
 #include <QString>
 #include <vector>
 
@@ -58,6 +60,8 @@ class Views : public QObject {
   void addAction(QAction& action);
   /// Shows the force in a corner of the 3-D view that the tool leaves free.
   void setForceCard(ForcePanel& card);
+  /// Where sentences lie over the 3-D view, in its coordinates.
+  void setSentences(const QList<QRect>& parts);
   /// What the mouse does in all views.
   void setMouse(const MouseChoices& mouse);
 

@@ -3,6 +3,11 @@
 // any layout, theme or language. Scales are those at which this program is started.
 #include <gtest/gtest.h>
 
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+
 #include <QApplication>
 #include <QLabel>
 #include <QLocale>
@@ -13,15 +18,20 @@
 #include <filesystem>
 #include <map>
 
+#include "app/window/views/picture_controller.h"
 #include "datasets/readers/volume_reader.h"
 #include "tests/support/places.h"
 #include "tests/support/sentence.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/language.h"
 #include "ui/overlays/measures.h"
+#include "ui/panels/force_panel.h"
+#include "ui/style/scene_colours.h"
 #include "ui/style/style.h"
 #include "ui/views/slice_readout.h"
+#include "ui/window/banner.h"
 #include "ui/window/main_window.h"
+#include "ui/window/touch_state.h"
 #include "ui/window/view_layout.h"
 #include "ui/window/views.h"
 
@@ -91,6 +101,119 @@ bool meetsBody(const ui::SliceView& view, const haptics::Volume& volume, const Q
   return false;
 }
 
+/// The places of W [mm] that the 3-D view draws as the surface, where it is a mesh.
+std::vector<Vec3> drawnSurface_mm(ui::VolumeView& view) {
+  auto* mesh =
+      vtkPolyData::SafeDownCast(view.surface().mesh()->GetMapper()->GetInputDataObject(0, 0));
+  std::vector<Vec3> places;
+  for (vtkIdType n = 0; mesh != nullptr && n < mesh->GetNumberOfPoints(); ++n)
+    places.emplace_back(view.picture().X_WL_mm * Vec3{mesh->GetPoint(n)});
+  return places;
+}
+
+/// A way in which the views share the window; `alone`: the view that has all of it.
+struct Shared {
+  std::string words;
+  Arrangement arrangement = Arrangement::FourUp;
+  bool tool_view = false, maximised = false;
+  std::size_t alone = 0;
+};
+
+/// All of them, and those that differ most.
+std::vector<Shared> allShared() {
+  std::vector<Shared> all;
+  for (const bool tool_view : {false, true})
+    for (const Arrangement arrangement :
+         {Arrangement::FourUp, Arrangement::VolumeLarge, Arrangement::SlicesLarge})
+      all.push_back(
+          {ui::ViewLayout::nameOf(arrangement).toStdString() + (tool_view ? "_with_tool" : ""),
+           arrangement, tool_view});
+  for (std::size_t view = 0; view < 5; ++view) {
+    all.push_back({"one_" + std::to_string(view), Arrangement::One, true, false, view});
+    all.push_back(
+        {"maximised_" + std::to_string(view), Arrangement::SlicesLarge, true, true, view});
+  }
+  return all;
+}
+std::vector<Shared> fewShared() {
+  return {{"volume_large", Arrangement::VolumeLarge},
+          {"four_up_with_tool", Arrangement::FourUp, true},
+          {"slices_large", Arrangement::SlicesLarge},
+          {"one_0", Arrangement::One},
+          {"maximised_3", Arrangement::FourUp, false, true, 3}};
+}
+
+/// A window with words in all places: measures, a tool that touches, the force's card, sentences.
+struct Worded {
+  ui::MainWindow window;
+  app::SharedState shared;
+  app::PictureController picture{window.views(), window.touch(), shared};
+  ui::Measures measures;
+  SeenByOverlays seen{measures};
+  ui::Banner found{ui::Banner::Kind::Question, "found"};
+
+  Worded(const ui::Picture& of, bool german) {
+    ui::Views& views = window.views();
+    views.volume().setSurfaceWish(ui::SurfaceMode::Mesh);
+    window.show(of, 300.0, "Head");
+    views.show(window::octahedron(0.006));
+    views.addOverlay(seen);
+    views.addOverlay(measures);
+    measures.setScan({.grid = of.volume->grid});
+    const Vec3 c = views.cross_mm();
+    measures.replace(
+        {{ui::MeasureKind::Distance, "Distance 1", {c + Vec3{-20, 0, 0}, c + Vec3{25, 1, 1}}},
+         {ui::MeasureKind::Angle,
+          "Angle 1",
+          {c + Vec3{0, 10, 0}, c + Vec3{2, 20, 0}, c + Vec3{30, 30, 0}}},
+         {ui::MeasureKind::Note, "here", {c}}});
+    window.addOverView(found);
+    found.setSentence(german ? "Tisch und Kopfhalterung gefunden" : "Table and head holder found");
+    for (const char* button : {"Entfernen", "Zeigen", "Behalten"})
+      found.addButton("foundButton")->setText(button);
+    window.touch().setHand("omega.6", ui::Feel::Felt);
+    put({0.0, -0.095, 0.0});
+    // a window of this size on most screens
+    window::showAndWait(window, {1280, 840});
+  }
+  ~Worded() { found.setParent(nullptr); }
+
+  /// The tool is at a place [m] and touches; the device is ready, which a sentence says.
+  void put(const Vec3& p_W) {
+    haptics::Snapshot snapshot;
+    snapshot.policy = haptics::SchedulingPolicy::Ordinary;
+    snapshot.force_state = haptics::ForceState::Ready;
+    snapshot.contacts = 1;
+    snapshot.X_WP.translation() = p_W;
+    snapshot.X_WD = snapshot.X_WP;
+    window.touch().display(snapshot);
+    window.views().slices().setFollowing(false);
+    // not as often as poses come
+    waitFor(
+        [&] {
+          window.views().display(snapshot);
+          QTest::qWait(20);
+          return !cardIsOnTool();
+        },
+        1.0);
+  }
+  QRect inSpace(const QWidget& part) {
+    return {window.views().volume().mapFrom(&window, part.mapTo(&window, QPoint{})), part.size()};
+  }
+  QWidget& card() { return *window.findChild<ui::ForcePanel*>("forceCard"); }
+  bool cardIsOnTool() { return window.views().volume().isToolIn(inSpace(card())); }
+
+  void share(const Shared& as) {
+    ui::Views& views = window.views();
+    ui::ViewLayout& layout = views.layout();
+    views.slices().setObliqueShown(as.tool_view);
+    layout.arrange(as.arrangement);
+    while (layout.active() != as.alone) layout.nextView();
+    if (as.maximised) layout.toggleMaximised();
+    QTest::qWait(20);
+  }
+};
+
 class Words : public testing::Test {
  protected:
   ~Words() override {
@@ -99,10 +222,15 @@ class Words : public testing::Test {
     ui::style::applyTheme(*qApp, Theme::Dark);
   }
 
-  void expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name);
+  static void expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name,
+                          const std::vector<Theme>& themes, const std::vector<Shared>& shared);
   static int expectApartIn(ui::SliceView& view, const haptics::Volume& volume,
                            const SeenByOverlays& seen);
+  static int expectApartInSpace(Worded& worded, bool at_first);
 };
+
+/// All of this for every release, since it takes minutes.
+class EveryWord : public Words {};
 
 int Words::expectApartIn(ui::SliceView& view, const haptics::Volume& volume,
                          const SeenByOverlays& seen) {
@@ -144,49 +272,77 @@ int Words::expectApartIn(ui::SliceView& view, const haptics::Volume& volume,
   return static_cast<int>(boxes.size());
 }
 
-void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name) {
+/// `at_first`: the camera is where it was when the scan was opened, and nothing is written over the
+/// body but the card, which moves away, and sentences.
+int Words::expectApartInSpace(Worded& worded, bool at_first) {
+  ui::VolumeView& view = worded.window.views().volume();
+  std::vector<WordBox> boxes;
+  for (const QRectF& box : view.wordBoxes()) boxes.push_back({"letters or cube", box});
+  const std::size_t letters = boxes.size();
+  boxes.front().what = "cube";
+  for (const ui::MeasureLabel& label : worded.seen.labels[&view])
+    boxes.push_back({label.text.toStdString(), label.box});
+  const std::size_t labels = boxes.size();
+  if (worded.card().isVisible()) {
+    boxes.push_back({"card", worded.inSpace(worded.card())});
+    EXPECT_FALSE(worded.cardIsOnTool());
+  }
+  for (const auto* banner : worded.window.findChildren<ui::Banner*>())
+    if (banner->isVisible() && worded.inSpace(*banner).intersects(view.rect()))
+      boxes.push_back({"sentence", worded.inSpace(*banner)});
+  const auto* pointed = view.parentWidget()->findChild<QLabel*>("pointed");
+  emit view.pointedChanged("1480 HU   L 102.4  P 113.5  S 108.2 mm");
+  EXPECT_TRUE(pointed->isVisible());
+  const QRectF plate = worded.inSpace(*pointed);
+  EXPECT_TRUE(view.rect().contains(plate.toRect()));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    // over labels it lies as long as the pointer is on the surface
+    if (i < letters || i >= labels)
+      EXPECT_FALSE(boxes[i].box.intersects(plate)) << boxes[i].what << " and value";
+    for (std::size_t j = i + 1; j < boxes.size(); ++j)
+      EXPECT_FALSE(boxes[i].box.intersects(boxes[j].box))
+          << boxes[i].what << " and " << boxes[j].what;
+    if (i < labels) EXPECT_TRUE(QRectF(view.rect()).contains(boxes[i].box)) << boxes[i].what;
+    // near the eye handles are anywhere, and letters and card give way to other things
+    if (at_first || (i >= letters && i < labels))
+      for (const QPointF& p : worded.seen.handles[&view])
+        EXPECT_FALSE(boxes[i].box.adjusted(-5, -5, 5, 5).contains(p)) << boxes[i].what;
+  }
+  emit view.pointedChanged({});
+  if (at_first)
+    for (const Vec3& p_mm : drawnSurface_mm(view)) {
+      const QPointF p = view.projected(p_mm * 1e-3);
+      for (std::size_t i = 1; i < labels; ++i)
+        if (boxes[i].box.contains(p)) {
+          ADD_FAILURE() << boxes[i].what << " is over the body";
+          return 0;
+        }
+    }
+  return static_cast<int>(boxes.size());
+}
+
+void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name,
+                        const std::vector<Theme>& themes, const std::vector<Shared>& shared) {
   ASSERT_TRUE(volume);
   const ui::Picture picture = ui::pictureOf(volume);
-  // the views are dark in every theme: one is enough for a large scan
-  std::vector<Theme> themes{Theme::Dark};
-  if (volume->grid.dims[0] < 200) themes.insert(themes.end(), {Theme::Light, Theme::HighContrast});
   int boxes = 0;
   for (const char* language : {"en", "de"}) {
     ui::setLanguage(language);
-    ui::MainWindow window;
-    window.views().volume().setSurfaceWish(ui::SurfaceMode::Mesh);
-    window.show(picture, 300.0, "Head");
-    window.views().show(window::octahedron(0.006));
-    ui::Measures measures;
-    SeenByOverlays seen(measures);
-    window.views().addOverlay(seen);
-    window.views().addOverlay(measures);
-    measures.setScan({.grid = volume->grid});
-    const Vec3 c = window.views().cross_mm();
-    measures.replace(
-        {{ui::MeasureKind::Distance, "Distance 1", {c + Vec3{-20, 0, 0}, c + Vec3{25, 1, 1}}},
-         {ui::MeasureKind::Angle,
-          "Angle 1",
-          {c + Vec3{0, 10, 0}, c + Vec3{2, 20, 0}, c + Vec3{30, 30, 0}}},
-         {ui::MeasureKind::Note, "here", {c}}});
-    window::showAndWait(window, {1280, 840});
+    Worded worded(picture, language == std::string_view("de"));
+    ui::Views& views = worded.window.views();
     for (const Theme theme : themes) {
       ui::style::applyTheme(*qApp, theme);
-      for (const auto& [arrangement, words] : {std::pair{Arrangement::FourUp, "four_up"},
-                                               std::pair{Arrangement::VolumeLarge, "volume"},
-                                               std::pair{Arrangement::SlicesLarge, "slices"}}) {
+      for (const Shared& as : shared) {
         SCOPED_TRACE(std::string(name) + ", " + language + ", " +
-                     ui::style::nameOf(theme).toStdString() + ", " + words);
-        window.views().layout().arrange(arrangement);
-        QTest::qWait(50);
-        const QImage image = window::pictureOf(window);
-        if (theme == Theme::Dark)
-          window::keep(image,
-                       (std::string("words_") + name + "_" + language + "_" + words).c_str());
-        for (ui::SliceView* slice : window.views().slices().slices()) {
+                     ui::style::nameOf(theme).toStdString() + ", " + as.words);
+        worded.found.setVisible(boxes % 2 == 0);  // now and then
+        worded.share(as);
+        const QImage image = window::pictureOf(worded.window);
+        for (ui::SliceView* slice : views.slices().slices()) {
           if (!slice->isVisible()) continue;
           SCOPED_TRACE(slice->readout().name.toStdString());
-          boxes += expectApartIn(*slice, *volume, seen);
+          boxes += expectApartIn(*slice, *volume, worded.seen);
+          if (slice->plane() == Plane::Oblique) continue;
           // the body fills it: one of its sides is near the edges of the picture
           const Eigen::AlignedBox3d& body = picture.body_mm;
           const QRectF shown =
@@ -195,26 +351,79 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
           EXPECT_GT(std::max(shown.width() / room.width(), shown.height() / room.height()), 0.9);
           EXPECT_TRUE(room.adjusted(-1, -1, 1, 1).contains(shown));
         }
-        const QWidget* space = &window.views().volume();
-        for (const ui::MeasureLabel& label : seen.labels[space])
-          for (const QPointF& p : seen.handles[space])
-            EXPECT_FALSE(label.box.adjusted(-5, -5, 5, 5).contains(p)) << label.text.toStdString();
+        if (views.volume().isVisible()) boxes += expectApartInSpace(worded, true);
+        if (theme == themes.front())
+          window::keep(image,
+                       (std::string("words_") + name + "_" + language + "_" + as.words).c_str());
         if (HasFailure()) return;
       }
     }
   }
-  EXPECT_GT(boxes, 150);
+  EXPECT_GT(boxes, 15 * static_cast<int>(themes.size() * shared.size()));
 }
 
-TEST_F(Words, StandOverNoBodyNoHandleAndNoOtherWords) { expectApart(madeHead(), "made"); }
+TEST_F(Words, StandOverNoBodyNoHandleAndNoOtherWords) {
+  expectApart(madeHead(), "made", {Theme::Dark}, fewShared());
+}
 
-TEST_F(Words, StandOverNoBodyInARealScanEither) {
+// The views are dark in every theme; what lies over them is as high as its words.
+TEST_F(Words, StandAsApartInTheOtherThemes) {
+  expectApart(madeHead(), "made_theme", {Theme::Light, Theme::HighContrast},
+              {{"volume_large", Arrangement::VolumeLarge}});
+}
+
+// Near the eye the body is everywhere, so words stand on plates, and the tool comes anywhere.
+TEST_F(Words, KeepApartAroundToolAndCardAndStandOnPlatesWhereTheBodyFillsTheView) {
+  Worded worded(ui::pictureOf(madeHead()), false);
+  ui::VolumeView& view = worded.window.views().volume();
+  view.camera()->Zoom(4.0);
+  for (const Arrangement arrangement : {Arrangement::VolumeLarge, Arrangement::FourUp}) {
+    worded.share({"", arrangement});
+    const Vec3 focus = Vec3{view.camera()->GetFocalPoint()} * 1e-3;
+    const Eigen::Matrix3d axes = view.viewAxes();
+    const double px_per_m =
+        1e3 * (view.projected(focus + axes.col(0) * 1e-3).x() - view.projected(focus).x());
+    for (const QPointF at : {QPointF(view.width() - 60.0, view.height() - 60.0),
+                             QPointF(60.0, view.height() - 60.0), QPointF(view.rect().center())}) {
+      SCOPED_TRACE(testing::Message() << at.x() << ' ' << at.y());
+      const QPointF by = (at - view.projected(focus)) / px_per_m;
+      worded.put(focus + axes.col(0) * by.x() - axes.col(1) * by.y());
+      window::pictureOf(worded.window);
+      expectApartInSpace(worded, false);
+    }
+    const QImage image = view.picture(1.0);
+    window::keep(image, "words_plates");
+    for (const QRectF& box : view.wordBoxes())
+      if (box.height() < 40.0)
+        EXPECT_EQ(image.pixelColor(QPointF(box.left() + 1.5, box.center().y()).toPoint()),
+                  ui::style::kViewGround);
+  }
+}
+
+TEST_F(EveryWord, StandsOverNoBodyNoHandleAndNoOtherWords) {
+  expectApart(madeHead(), "every", {Theme::Dark, Theme::Light, Theme::HighContrast}, allShared());
+}
+
+std::shared_ptr<const haptics::Volume> realHead() {
   const std::filesystem::path place =
       places::scan("visible_human_female_head/vhf_head_512x512x234.nrrd");
-  if (!std::filesystem::exists(place)) GTEST_SKIP() << place << " is not there";
+  if (!std::filesystem::exists(place)) return nullptr;
   auto volume = datasets::readVolume(place);
-  ASSERT_TRUE(volume) << sentence(volume.error());
-  expectApart(std::make_shared<const haptics::Volume>(std::move(*volume)), "real");
+  EXPECT_TRUE(volume) << sentence(volume.error());
+  return volume ? std::make_shared<const haptics::Volume>(std::move(*volume)) : nullptr;
+}
+
+TEST_F(Words, StandOverNoBodyInARealScanEither) {
+  const auto head = realHead();
+  if (head == nullptr) GTEST_SKIP() << "the head is not there";
+  expectApart(head, "real", {Theme::Dark},
+              {{"four_up", Arrangement::FourUp}, {"slices_large", Arrangement::SlicesLarge}});
+}
+
+TEST_F(EveryWord, StandsOverNoBodyInARealScanEither) {
+  const auto head = realHead();
+  if (head == nullptr) GTEST_SKIP() << "the head is not there";
+  expectApart(head, "every_real", {Theme::Dark}, allShared());
 }
 
 }  // namespace
