@@ -269,7 +269,7 @@ Eigen::Vector3d Measures::inScan(const Eigen::Vector3d& p_mm) const {
   return grid.worldOf(index) * kMmPerM;
 }
 
-QPolygonF Measures::handlesIn(const ViewGeometry& view) const {
+QPolygonF Measures::markHandlesIn(const ViewGeometry& view) const {
   QPolygonF handles;
   for (const Measure& measure : all_)
     for (const Eigen::Vector3d& p_mm : measure.places_mm)

@@ -73,7 +73,7 @@ class Measures : public Overlay {
   void paint(QPainter& painter, const ViewGeometry& view) const override;
   /// What is written beside the measures of a view. Each has a line to its measure.
   std::vector<MeasureLabel> labelsIn(const ViewGeometry& view) const;
-  QPolygonF handlesIn(const ViewGeometry& view) const override;
+  QPolygonF markHandlesIn(const ViewGeometry& view) const override;
   bool press(const ViewGeometry& view, const QMouseEvent& event) override;
   bool drag(const ViewGeometry& view, const QMouseEvent& event) override;
   bool release(const ViewGeometry& view, const QMouseEvent& event) override;

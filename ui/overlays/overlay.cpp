@@ -20,7 +20,7 @@ bool Overlay::doubleClick(const ViewGeometry& view, const QMouseEvent& event) {
 }
 bool Overlay::hover(const ViewGeometry&, const QMouseEvent&) { return false; }
 bool Overlay::key(const ViewGeometry&, const QKeyEvent&) { return false; }
-QPolygonF Overlay::handlesIn(const ViewGeometry&) const { return {}; }
+QPolygonF Overlay::markHandlesIn(const ViewGeometry&) const { return {}; }
 QString Overlay::hint() const { return {}; }
 QString Overlay::note() const { return {}; }
 Qt::CursorShape Overlay::cursor() const { return Qt::ArrowCursor; }

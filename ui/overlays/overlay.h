@@ -66,8 +66,8 @@ class Overlay : public QObject {
   virtual bool key(const ViewGeometry& view, const QKeyEvent& event);
   /// What the key that stands for a click means to this overlay.
   virtual Action keyForClick() const { return Action::SetPlaceOfEdit; }
-  /// Where it has handles in a view.
-  virtual QPolygonF handlesIn(const ViewGeometry& view) const;
+  /// Where handles of marks are in a view.
+  virtual QPolygonF markHandlesIn(const ViewGeometry& view) const;
   /// What the mouse and Enter do over the views while this overlay takes them; empty: nothing.
   virtual QString hint() const;
   /// What a picture of one view says below it because of this overlay; empty: nothing.

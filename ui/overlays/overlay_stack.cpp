@@ -89,7 +89,7 @@ bool OverlayStack::key(const ViewGeometry& geometry, const QKeyEvent& event, QPo
 bool OverlayStack::hasHandleIn(const ViewGeometry& geometry, const QRectF& part) const {
   for (const QPointer<Overlay>& overlay : overlays_)
     if (overlay)
-      for (const QPointF& at : overlay->handlesIn(geometry))
+      for (const QPointF& at : overlay->markHandlesIn(geometry))
         if (part.contains(at)) return true;
   return false;
 }

@@ -15,8 +15,9 @@ namespace {
 
 constexpr double kTurnPerWidget = 180.0;  // degrees for a drag across the widget
 constexpr double kViewAngle_deg = 30.0;
-constexpr double kMargin = 1.08;                         // of what is framed
-constexpr double kLetterSide = 42.0, kLetterEnd = 30.0;  // px, at the edges, where letters stand
+constexpr double kMargin = 1.08;  // of what is framed
+constexpr double kSideOfLetters = 42.0,
+                 kEndOfLetters = 30.0;  // px, at the edges, where letters stand
 const double kHalf = std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180.0);
 
 }  // namespace
@@ -140,8 +141,8 @@ void SpaceCamera::fit(std::vector<Eigen::Vector3d> outline_mm, const Eigen::Matr
       kMargin * (std::max(reach.y(), reach.x() * height / width) + 0.03 * taken_mm.sizes().norm());
   // beside the letters at the edges
   const double half =
-      std::max({about, reach.y() * height / std::max(1.0, height - 2.0 * kLetterEnd),
-                reach.x() * height / std::max(1.0, width - 2.0 * kLetterSide)});
+      std::max({about, reach.y() * height / std::max(1.0, height - 2.0 * kEndOfLetters),
+                reach.x() * height / std::max(1.0, width - 2.0 * kSideOfLetters)});
   // without perspective the middle is as large as the front is with it
   camera_->SetParallelScale(half);
   set(centre_mm + axes.col(2) * (half / kHalf + reach.z()), centre_mm);
