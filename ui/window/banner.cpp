@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 
 #include "ui/style/look.h"
 #include "ui/style/style.h"
@@ -49,14 +50,21 @@ QColor markOf(Banner::Kind kind) {
 }  // namespace
 
 Banner::Banner(Kind kind, const char* name, QWidget* parent)
-    : QFrame(parent), kind_(kind), sentence_(new QLabel), row_(new QHBoxLayout(this)) {
+    : QFrame(parent),
+      kind_(kind),
+      sentence_(new QLabel),
+      parts_(new QBoxLayout(QBoxLayout::LeftToRight, this)),
+      buttons_(new QHBoxLayout) {
   offerSpoken();
   sentence_->setObjectName(name);
   sentence_->setWordWrap(true);
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  row_->setContentsMargins(style::kEdge + kSymbol + style::kGap, 6, style::kGap, 6);
-  row_->setSpacing(style::kGap);
-  row_->addWidget(sentence_, 1);
+  sentence_->setContentsMargins(style::kEdge + kSymbol, 0, 0, 0);
+  parts_->setContentsMargins(style::kGap, 6, style::kGap, 6);
+  parts_->setSpacing(style::kGap);
+  parts_->addWidget(sentence_, 1);
+  parts_->addLayout(buttons_);
+  buttons_->setSpacing(style::kGap);
   hide();
 }
 
@@ -80,8 +88,19 @@ QPushButton* Banner::addButton(const char* name) {
   button->setObjectName(name);
   // Space in the 3-D view stays force off
   button->setFocusPolicy(Qt::TabFocus);
-  row_->addWidget(button);
+  buttons_->addWidget(button);
   return button;
+}
+
+void Banner::setStacked(bool stacked) {
+  parts_->setDirection(stacked ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+int Banner::leastWidth(bool stacked) const {
+  const int words = sentence_->minimumSizeHint().width(), others = buttons_->minimumSize().width();
+  const QMargins edges = parts_->contentsMargins();
+  return edges.left() + edges.right() +
+         (stacked ? std::max(words, others) : words + parts_->spacing() + others);
 }
 
 void Banner::addClose() {
@@ -92,7 +111,7 @@ void Banner::addClose() {
   close->setToolTip(tr("Close"));
   close->setAccessibleName(tr("Close"));
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  row_->addWidget(close);
+  buttons_->addWidget(close);
 }
 
 void Banner::paintEvent(QPaintEvent*) {
@@ -103,7 +122,7 @@ void Banner::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor colour = markOf(kind_);
   painter.setPen(QPen(colour, 1.7, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  const QPointF middle(style::kEdge + 0.5 * kSymbol, 0.5 * (height() - 1));
+  const QPointF middle(style::kEdge + 0.5 * kSymbol, QRectF(sentence_->geometry()).center().y());
   const auto at = [&](double x, double y) { return middle + QPointF(x, y); };
   if (kind_ == Kind::Stopped) {
     // the outline of a stop sign

@@ -5,6 +5,7 @@
 
 #include "ui/controls/spoken.h"
 
+class QBoxLayout;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -24,6 +25,10 @@ class Banner : public QFrame, public Spoken {
   void setSentence(const QString& sentence);
   /// A button behind the sentence.
   QPushButton* addButton(const char* name);
+  /// The buttons stand below the sentence.
+  void setStacked(bool stacked);
+  /// px, that it needs with its buttons below the sentence or beside it.
+  int leastWidth(bool stacked) const;
   /// A cross at the end, which hides the bar.
   void addClose();
 
@@ -37,7 +42,8 @@ class Banner : public QFrame, public Spoken {
  private:
   Kind kind_;
   QLabel* sentence_;
-  QHBoxLayout* row_;
+  QBoxLayout* parts_;
+  QHBoxLayout* buttons_;
 };
 
 }  // namespace ui

@@ -44,6 +44,7 @@ constexpr int kFrame = 40;  // px that a desktop takes for the title of a window
 // px of the 3-D view that stay in sight beside a sentence over it
 constexpr int kTopOfView = 36;  // a letter and a button
 constexpr int kCube = 100;      // the cube, at the right
+constexpr int kBelowCube = 108;
 
 QString sizeWords(const haptics::Volume& volume) {
   const auto& dims = volume.grid.dims;
@@ -295,21 +296,39 @@ void MainWindow::addOverView(Banner& banner) {
   over_view_.push_back(&banner);
 }
 
-/// Over the 3-D view, beside its cube; over all views where that is hidden or too narrow.
+/// Over the 3-D view: beside its cube, or below it where it is narrow. Without room for that an
+/// offer stands above the views, since it can wait; why there is no force lies over all of them.
 void MainWindow::placeOverView() {
-  int top = kTopOfView;
   const QWidget& volume = views_->volume();
+  auto& column = static_cast<QVBoxLayout&>(*splitter_->widget(1)->layout());
   QList<QRect> covered;
+  int top = kTopOfView;
   for (Banner* banner : over_view_) {
     if (banner->isHidden()) continue;
-    const auto placeOf = [&](const QWidget& view) {
-      const int width = view.width() - kCube;
-      return QRect(view.mapTo(banner->parentWidget(), QPoint{0, top}),
-                   QSize(width, banner->heightForWidth(width)));
+    const auto holds = [&](int width, bool stacked) {
+      return volume.isVisibleTo(this) && banner->leastWidth(stacked) <= width;
     };
-    QRect place = placeOf(volume);
-    if (!volume.isVisible() || place.width() < banner->minimumSizeHint().width())
-      place = placeOf(views_->layout());
+    const QWidget* view = &volume;
+    int width = volume.width() - kCube;
+    bool stacked = !holds(width, false);
+    if (stacked && !holds(width, true)) {
+      if (holds(volume.width(), true)) {
+        width = volume.width();
+        top = std::max(top, kBelowCube);
+      } else {
+        view = &views_->layout();
+        width = view->width() - kCube;
+        stacked = false;
+      }
+    }
+    banner->setStacked(stacked);
+    if (view != &volume && banner != stopped_) {
+      if (column.indexOf(banner) < 0) column.insertWidget(0, banner);
+      continue;
+    }
+    column.removeWidget(banner);
+    const QRect place(view->mapTo(banner->parentWidget(), QPoint{0, top}),
+                      QSize(width, banner->heightForWidth(width)));
     top += place.height() + style::kStep;
     covered << QRect(volume.mapFrom(this, banner->parentWidget()->mapTo(this, place.topLeft())),
                      place.size());

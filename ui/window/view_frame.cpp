@@ -193,14 +193,17 @@ void ViewFrame::placePointed() {
   const QRect room =
       view.adjusted(kBesideLetters, kBesideLetters, -kBesideLetters, -kBesideLetters);
   const QPoint pointer = mapFromGlobal(QCursor::pos());
-  QRect plate(room.topLeft(), pointed_->size());
-  const auto isFree = [&] {
+  const auto isFree = [&](const QRect& plate) {
     const QRectF part(plate.translated(-view.topLeft()));
     return !plate.adjusted(-kClear, -kClear, kClear, kClear).contains(pointer) &&
            std::ranges::none_of(covered_, [&](const QRectF& one) { return one.intersects(part); });
   };
-  while (!isFree() && plate.bottom() + kStep <= room.bottom()) plate.translate(0, kStep);
-  pointed_->setGeometry(plate);
+  QRect place(room.topLeft(), pointed_->size());
+  const int right = std::max(room.left(), room.right() + 1 - place.width());
+  for (const int left : {right, room.left()})
+    for (int top = room.bottom() + 1 - place.height(); top >= room.top(); top -= kStep)
+      if (const QRect plate({left, top}, place.size()); isFree(plate)) place = plate;
+  pointed_->setGeometry(place);
   pointed_->raise();
 }
 
@@ -314,7 +317,7 @@ void ViewFrame::keepCardClear() {
     return !meetsSentence(part) && !taken_(part) && (!liked || !disliked_(part));
   };
   bool folded = true;
-  const std::pair<bool, bool> ways[] = {{card_folded_, true}, {card_folded_, false}, {true, false}};
+  const std::pair<bool, bool> ways[] = {{card_folded_, true}, {true, true}, {true, false}};
   for (const auto& [one_line, liked] : ways) {
     std::size_t n = corner_;  // where it is, as long as it may
     for (std::size_t other = 0; other < kCorners && !isFree(n, one_line, liked); ++other) n = other;

@@ -325,7 +325,7 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
                         const std::vector<Theme>& themes, const std::vector<Shared>& shared) {
   ASSERT_TRUE(volume);
   const ui::Picture picture = ui::pictureOf(volume);
-  int boxes = 0;
+  int boxes = 0, shown = 0;
   for (const char* language : {"en", "de"}) {
     ui::setLanguage(language);
     Worded worded(picture, language == std::string_view("de"));
@@ -335,13 +335,15 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
       for (const Shared& as : shared) {
         SCOPED_TRACE(std::string(name) + ", " + language + ", " +
                      ui::style::nameOf(theme).toStdString() + ", " + as.words);
-        worded.found.setVisible(boxes % 2 == 0);  // now and then
+        worded.found.setVisible(++shown % 2 == 0);  // in each layout in one of the languages
         worded.share(as);
         const QImage image = window::pictureOf(worded.window);
         for (ui::SliceView* slice : views.slices().slices()) {
           if (!slice->isVisible()) continue;
           SCOPED_TRACE(slice->readout().name.toStdString());
           boxes += expectApartIn(*slice, *volume, worded.seen);
+          EXPECT_FALSE(worded.found.isVisible() &&
+                       worded.inSpace(worded.found).intersects(worded.inSpace(*slice)));
           if (slice->plane() == Plane::Oblique) continue;
           // the body fills it: one of its sides is near the edges of the picture
           const Eigen::AlignedBox3d& body = picture.body_mm;
