@@ -113,15 +113,15 @@ std::array<PlatedWords, 4> edgeLettersIn(const QRectF& area, const Eigen::Matrix
                return part.intersects(plate);
              });
     };
-    // along its edge first, then away from it
-    double least = isFree(first) ? 0.0 : INFINITY;
+    // along its edge as far as it goes, then away from it, towards the body
     const double reach = std::max(room.width(), room.height());
-    for (double away = 0.0; away < std::min(least, 0.5 * reach); away += kStep)
-      for (double aside = 0.0; away + aside < std::min(least, reach); aside += kStep)
+    bool found = isFree(first);
+    for (double away = 0.0; !found && away < 0.5 * reach; away += kStep)
+      for (double aside = 0.0; !found && aside < reach; aside += kStep)
         for (const double way : {1.0, -1.0}) {
           const QRectF plate = first.translated(in * away + along * (way * aside));
-          if (away + aside >= least || !isFree(plate)) continue;
-          least = away + aside;
+          if (found || !isFree(plate)) continue;
+          found = true;
           placed[n].plate = plate;
         }
   }

@@ -23,6 +23,7 @@ constexpr int kBelowCube = 108, kBelowSentences = 84, kAboutCard = 8;
 constexpr std::size_t kCorners = 4;
 constexpr QSize kRoomForPlot{420, 320}, kRoomForCard{150, 100};  // px, of the view
 constexpr int kButton = 20;                                      // px
+constexpr int kPlate = 3;           // px, about the value under the pointer
 constexpr int kBesideLetters = 30;  // px, from the edge of the 3-D view
 constexpr int kHint = 34;           // px, height of two lines: another hint moves no view
 
@@ -155,7 +156,8 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
   pointed_->setObjectName("pointed");
   pointed_->setPalette(dark);
   pointed_->setAutoFillBackground(true);
-  pointed_->setMargin(3);
+  pointed_->setMargin(kPlate);
+  pointed_->setWordWrap(true);
   pointed_->setAttribute(Qt::WA_TransparentForMouseEvents);
   pointed_->hide();
   style::setType(*pointed_, style::Type::Small);
@@ -178,7 +180,8 @@ void ViewFrame::setHintShown(bool shown) {
   place();
 }
 
-void ViewFrame::setPointed(const QString& words) {
+void ViewFrame::setPointed(const QString& words, std::vector<QRectF> written) {
+  written_ = std::move(written);
   if (words != pointed_->text()) pointed_->setText(words);
   pointed_->setVisible(!words.isEmpty());
   placePointed();
@@ -187,7 +190,9 @@ void ViewFrame::setPointed(const QString& words) {
 void ViewFrame::placePointed() {
   if (pointed_->isHidden()) return;
   const QRect view = view_->geometry();
-  pointed_->resize(pointed_->sizeHint());
+  const int single = pointed_->fontMetrics().horizontalAdvance(pointed_->text()) + 2 * kPlate + 2;
+  const int wide = std::min(single, view.width() - 2 * kPlate);
+  pointed_->resize(wide, pointed_->heightForWidth(wide));
   constexpr int kClear = 24, kStep = 8;  // px, from the pointer, and between two places
   // between the letters at the edges and the middle
   const QRect room =
@@ -196,11 +201,13 @@ void ViewFrame::placePointed() {
   const auto isFree = [&](const QRect& plate) {
     const QRectF part(plate.translated(-view.topLeft()));
     return !plate.adjusted(-kClear, -kClear, kClear, kClear).contains(pointer) &&
-           std::ranges::none_of(covered_, [&](const QRectF& one) { return one.intersects(part); });
+           std::ranges::none_of(covered_,
+                                [&](const QRectF& one) { return one.intersects(part); }) &&
+           std::ranges::none_of(written_, [&](const QRectF& one) { return one.intersects(part); });
   };
-  QRect place(room.topLeft(), pointed_->size());
-  const int right = std::max(room.left(), room.right() + 1 - place.width());
-  for (const int left : {right, room.left()})
+  const int first = std::min(room.left(), view.right() + 1 - kPlate - wide);
+  QRect place({first, room.top()}, pointed_->size());
+  for (const int left : {std::max(first, room.right() + 1 - wide), first})
     for (int top = room.bottom() + 1 - place.height(); top >= room.top(); top -= kStep)
       if (const QRect plate({left, top}, place.size()); isFree(plate)) place = plate;
   pointed_->setGeometry(place);

@@ -29,8 +29,9 @@ class ViewFrame : public QWidget {
   void setMaximised(bool maximised);
   void setHint(const QString& hint);
   void setHintShown(bool shown);
-  /// Words on a plate in a corner of the view; empty: no plate. It leaves the pointer free.
-  void setPointed(const QString& words);
+  /// Words on a plate at a side of the view; empty: no plate. It leaves the pointer free, and what
+  /// is written in the view.
+  void setPointed(const QString& words, std::vector<QRectF> written);
   /// Whether the slices go with the tool, as its button shows.
   void setFollowing(bool on);
   /// How much of the view's upper edge its buttons cover, from the right.
@@ -92,7 +93,7 @@ class ViewFrame : public QWidget {
   bool card_folded_ = false;
   std::size_t corner_ = 0;  ///< of the card
   QList<QRect> sentences_;
-  std::vector<QRectF> covered_;
+  std::vector<QRectF> covered_, written_;
 };
 
 }  // namespace ui

@@ -26,7 +26,10 @@ Views::Views(QWidget* window)
   frames[0] = new ViewFrame(volume_, style::kViewFrame, false);
   frames[0]->setHint(volume_->hint());
   connect(volume_, &VolumeView::hintChanged, frames[0], &ViewFrame::setHint);
-  connect(volume_, &VolumeView::pointedChanged, frames[0], &ViewFrame::setPointed);
+  connect(volume_, &VolumeView::pointedChanged, frames[0],
+          [this, frame = frames[0]](const QString& words) {
+            frame->setPointed(words, volume_->wordBoxes());
+          });
   connect(frames[0], &ViewFrame::coveredChanged, volume_, &VolumeView::setCovered);
   for (SliceView* slice : slices_->slices()) {
     auto* frame = new ViewFrame(slice, colourOf(slice->plane()), true);

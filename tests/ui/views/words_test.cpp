@@ -355,9 +355,13 @@ void Words::expectApart(const std::shared_ptr<const haptics::Volume>& volume, co
           EXPECT_TRUE(room.adjusted(-1, -1, 1, 1).contains(shown));
         }
         if (views.volume().isVisible()) boxes += expectApartInSpace(worded, true);
-        if (theme == themes.front())
-          window::keep(image,
-                       (std::string("words_") + name + "_" + language + "_" + as.words).c_str());
+        if (theme == themes.front()) {
+          const std::string words = std::string("words_") + name + "_" + language + "_" + as.words;
+          window::keep(image, words.c_str());
+          // a picture of the window is without what is painted over the 3-D view
+          if (views.volume().isVisible())
+            window::keep(views.volume().grabFramebuffer(), (words + "_space").c_str());
+        }
         if (HasFailure()) return;
       }
     }
