@@ -78,6 +78,7 @@ double shareInside(const QPolygonF& line, const QRectF& box) {
 }
 
 constexpr double kOverBody = 3e3, kOverWords = 1e4;  // how bad that is for a label
+constexpr double kSmallView = 300.0;                 // px, of height
 
 /// Where a label of this size goes, and how bad that is: near its anchor, within the view, on no
 /// handle, clear of other labels and of the body as far as there is room. Without a search only
@@ -389,8 +390,9 @@ std::vector<MeasureLabel> Measures::labelsIn(const ViewGeometry& view) const {
       label = {texts[n], box, anchor};
     }
     // where only the body or other words have room, the list and a click on the mark have its
-    // words; in 3-D a body may fill the view
-    if (least >= (view.isSlice() ? kOverBody : kOverWords) && !chosen) return;
+    // words; in 3-D a body may fill the view, and there is more room unless that is small
+    const bool strict = view.isSlice() || seen.height() < kSmallView;
+    if (least >= (strict ? kOverBody : kOverWords) && !chosen) return;
     taken.push_back(label.box);
     labels.push_back(std::move(label));
   };

@@ -103,6 +103,15 @@ int Banner::leastWidth(bool stacked) const {
          (stacked ? std::max(words, others) : words + parts_->spacing() + others);
 }
 
+int Banner::heightIf(bool stacked, int width) const {
+  const QMargins edges = parts_->contentsMargins();
+  const QSize others = buttons_->sizeHint();
+  width -= edges.left() + edges.right() + (stacked ? 0 : parts_->spacing() + others.width());
+  const int words = sentence_->heightForWidth(width);
+  return edges.top() + edges.bottom() +
+         (stacked ? words + parts_->spacing() + others.height() : std::max(words, others.height()));
+}
+
 void Banner::addClose() {
   auto* close = new QToolButton;
   close->setObjectName(sentence_->objectName() + "Close");

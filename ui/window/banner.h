@@ -29,6 +29,7 @@ class Banner : public QFrame, public Spoken {
   void setStacked(bool stacked);
   /// px, that it needs with its buttons below the sentence or beside it.
   int leastWidth(bool stacked) const;
+  int heightIf(bool stacked, int width) const;
   /// A cross at the end, which hides the bar.
   void addClose();
 

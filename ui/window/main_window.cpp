@@ -296,8 +296,8 @@ void MainWindow::addOverView(Banner& banner) {
   over_view_.push_back(&banner);
 }
 
-/// Over the 3-D view: beside its cube, or below it where it is narrow. Without room for that an
-/// offer stands above the views, since it can wait; why there is no force lies over all of them.
+/// Over the upper third of the 3-D view: beside its cube, or below it where it is narrow. Without
+/// room for that an offer stands above the views; why there is no force never moves them.
 void MainWindow::placeOverView() {
   const QWidget& volume = views_->volume();
   auto& column = static_cast<QVBoxLayout&>(*splitter_->widget(1)->layout());
@@ -321,14 +321,16 @@ void MainWindow::placeOverView() {
         stacked = false;
       }
     }
-    banner->setStacked(stacked);
-    if (view != &volume && banner != stopped_) {
+    const int height = banner->heightIf(stacked, width);
+    const bool above =
+        banner != stopped_ && (view != &volume || top + height > volume.height() / 3);
+    banner->setStacked(stacked && !above);
+    if (above) {
       if (column.indexOf(banner) < 0) column.insertWidget(0, banner);
       continue;
     }
     column.removeWidget(banner);
-    const QRect place(view->mapTo(banner->parentWidget(), QPoint{0, top}),
-                      QSize(width, banner->heightForWidth(width)));
+    const QRect place(view->mapTo(banner->parentWidget(), QPoint{0, top}), QSize(width, height));
     top += place.height() + style::kStep;
     covered << QRect(volume.mapFrom(this, banner->parentWidget()->mapTo(this, place.topLeft())),
                      place.size());
