@@ -78,7 +78,7 @@ double shareInside(const QPolygonF& line, const QRectF& box) {
 }
 
 constexpr double kOverBody = 3e3, kOverWords = 1e4;  // how bad that is for a label
-constexpr double kSmallView = 300.0;                 // px, of height
+constexpr double kSmallView = 350.0;                 // px, of height
 
 /// Where a label of this size goes, and how bad that is: near its anchor, within the view, on no
 /// handle, clear of other labels and of the body as far as there is room. Without a search only
