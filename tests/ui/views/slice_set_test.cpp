@@ -514,7 +514,9 @@ TEST(Slices, ThePlateUnderThePointerKeepsOffTheCard) {
   view->setMinimumSize(200, 150);
   ui::ViewFrame frame(view, Qt::gray, false);
   auto* card = new ui::ForcePanel;
-  frame.setCard(*card, [](const QRect& part) { return part.left() > 200; });
+  frame.setCard(
+      *card, [](const QRect& part) { return part.left() > 200; },
+      [](const QRect&) { return false; });
   frame.resize(700, 500);
   frame.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&frame));
@@ -522,10 +524,13 @@ TEST(Slices, ThePlateUnderThePointerKeepsOffTheCard) {
   ASSERT_LT(card->x(), 100);  // in the lower left corner
   ASSERT_GT(card->y(), 200);
   const auto* plate = frame.findChild<QLabel*>("pointed");
-  QCursor::setPos(frame.mapToGlobal(QPoint{30, 20}));  // so the plate goes down
-  frame.setPointed("312 HU   LPS 1.0, -14.0, 2.0 mm");
+  QCursor::setPos(frame.mapToGlobal(QPoint{30, 20}));
+  frame.setPointed("312 HU   LPS 1.0, -14.0, 2.0 mm", {});
+  EXPECT_FALSE(plate->geometry().contains(QPoint{30, 20}));
+  // where words fill the upper half it goes down
+  frame.setPointed("312 HU   LPS 1.0, -14.0, 2.0 mm", {QRectF{0.0, 0.0, 700.0, 250.0}});
   ASSERT_TRUE(plate->isVisible());
-  EXPECT_GT(plate->y(), 100);
+  EXPECT_GT(plate->y(), 240);
   EXPECT_FALSE(plate->geometry().intersects(card->geometry()));
   EXPECT_TRUE(view->geometry().contains(plate->geometry()));
 }
