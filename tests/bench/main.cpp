@@ -70,6 +70,8 @@ Json resultOf(const SceneReport& report, const Summary& s) {
             {"coupling_mm", s.coupling_mm},
             {"coupling_tap_slide_hook_mm", s.guided_mm},
             {"frozen", s.frozen},
+            {"truly_stuck", s.truly_stuck},
+            {"contact_slack_mm", mean(s.sorted(&Part::slack_mm))},
             {"wall_passages", s.wall_passages},
             {"penetration_mm", s.penetration_mm},
             {"samples_per_tick", s.counts.samples},
@@ -99,6 +101,7 @@ Json resultOf(const SceneReport& report, const Summary& s) {
                              {"mean_us", part.mean_us},
                              {"coupling_mm", part.coupling_mm},
                              {"frozen", part.frozen},
+                             {"truly_stuck", part.truly_stuck},
                              {"contact", part.contact},
                              {"cut", part.cut}});
   return json;
@@ -184,6 +187,7 @@ std::vector<Part> byKind(const std::vector<Part>& parts, unsigned hands) {
     kind->mean_us += part.mean_us / hands;
     kind->coupling_mm += part.coupling_mm / hands;
     kind->frozen += part.frozen / hands;
+    kind->truly_stuck += part.truly_stuck / hands;
     kind->contact += part.contact / hands;
     kind->cut += part.cut / hands;
   }
@@ -196,17 +200,14 @@ haptics::Expected<std::vector<Summary>> atEveryRate(
     const Options& options, const Judge& judge) {
   std::vector<Summary> summaries;
   for (const haptics::ServoRate rate : haptics::kServoRates) {
-    std::vector<Course> courses;
-    for (unsigned seed = 1; seed <= options.hands; ++seed) {
-      auto one = coursesIn(*built, scene, options.handSeconds(), rate, seed);
-      if (!one) return tl::unexpected(one.error());
-      std::ranges::move(*one, std::back_inserter(courses));
-    }
+    const auto courses = coursesIn(*built, scene, options.handSeconds(), rate, 1, options.hands);
+    if (!courses) return tl::unexpected(courses.error());
     std::vector<std::unique_ptr<Method>> methods;
     methods.push_back(ours(built, scene.isovalue,
                            {rate.budget_ns(), options.counted ? rate.budget_work() : 0, rate}));
-    const Track track = std::move(follow(methods, courses).front());
-    Summary summary = summaryOf(track, courses, built->tool.shell, judge, options.judgedPose());
+    const Track track = std::move(follow(methods, *courses).front());
+    Summary summary = summaryOf(track, *courses, built->tool.shell, judge, options.judgedPose(),
+                                built->lengths.rest_gap);
     summary.method = "ours, " + std::to_string(rate.hz / 1000) + " kHz";
     summary.parts = byKind(summary.parts, options.hands);
     summaries.push_back(std::move(summary));
@@ -229,7 +230,8 @@ haptics::Expected<SceneReport> measured(const Touched& scene, const Options& opt
   SceneReport report;
   report.scene = scene.name;
   for (const Track& track : tracks)
-    report.summaries.push_back(summaryOf(track, *courses, shell, judge, options.judgedPose()));
+    report.summaries.push_back(
+        summaryOf(track, *courses, shell, judge, options.judgedPose(), (*built)->lengths.rest_gap));
   report.samples_per_point = report.summaries.front().counts.samples / scene.points;
 
   const HoldPlan holds = options.quick ? HoldPlan{4, 120, 4, 100} : HoldPlan{};

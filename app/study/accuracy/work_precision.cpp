@@ -45,10 +45,14 @@ std::vector<bool> paretoFront(const std::vector<std::pair<double, double>>& poin
 }
 
 void addTo(Outcome& outcome, const WorkPrecision& work) {
+  const bool of_hands =
+      std::ranges::any_of(work.points, [](const WorkPoint& point) { return !point.hands.empty(); });
   Plot plot{work.title,
             work.description +
-                " Bars go from the median error to that of 99 %. A line joins what "
-                "no other setting of the same method outdoes.",
+                (of_hands ? " Marks are the median of the hands' means, and bars go from the least "
+                            "of them to the greatest."
+                          : " Bars go from the median error to that of 99 %.") +
+                " A line joins what no other setting of the same method outdoes.",
             {work.cost_label, Scale::Log},
             {work.error_label, Scale::Log}};
   Table table{work.title + ": quantiles (50, 90, 99, 100 %)",
@@ -56,6 +60,7 @@ void addTo(Outcome& outcome, const WorkPrecision& work) {
                work.error_label, "on the front", "samples", "gradients", "pivots", "sub-steps",
                "units of work"},
               {}};
+  if (of_hands) table.head.push_back("hands: least, median, most of the mean");
   std::vector<std::string> methods;
   for (const WorkPoint& point : work.points)
     if (std::ranges::find(methods, point.method) == methods.end()) methods.push_back(point.method);
@@ -71,15 +76,20 @@ void addTo(Outcome& outcome, const WorkPrecision& work) {
         if (std::isnan(e)) e = INFINITY;
       std::ranges::sort(cost);
       std::ranges::sort(error);
-      const double median = comparison::quantile(error, 0.5);
+      std::vector<double> hands = point.hands;
+      std::ranges::sort(hands);
+      const auto& shown = hands.empty() ? error : hands;
+      const double middle = comparison::quantile(shown, 0.5);
       const double mean =
           point.runs.empty() ? comparison::mean(cost) : comparison::median(point.runs);
-      places.emplace_back(mean, median);
-      series.points.push_back({places.back().first, median, median,
-                               comparison::quantile(error, 0.99), true, point.setting});
+      places.emplace_back(mean, middle);
+      series.points.push_back({mean, middle, hands.empty() ? middle : hands.front(),
+                               hands.empty() ? comparison::quantile(error, 0.99) : hands.back(),
+                               true, point.setting});
       rows.push_back(
           {method, point.setting, quantilesOf(cost), spreadOf(point.runs), quantilesOf(error), ""});
       for (std::string& count : countsOf(point.counts)) rows.back().push_back(std::move(count));
+      if (of_hands) rows.back().push_back(spreadOf(point.hands));
     }
     const std::vector<bool> front = paretoFront(places);
     for (std::size_t n = 0; n < front.size(); ++n) {

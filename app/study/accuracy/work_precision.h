@@ -18,6 +18,8 @@ struct WorkPoint {
   /// What was done for that cost, on the mean; none where nothing is counted.
   std::optional<comparison::MeanCounts> counts = {};
   std::vector<double> runs = {};  ///< mean cost of each run, where the same was done several times
+  /// Mean error of each hand, of all its motions; none where there are no hands, or one.
+  std::vector<double> hands = {};
 };
 
 /// Error against run time.
@@ -27,7 +29,8 @@ struct WorkPrecision {
   std::vector<WorkPoint> points = {};
 };
 
-/// A diagram of mean cost (of the median run) and median error, with a bar to the error's 99 %: one
+/// A diagram of mean cost (of the median run) and median error, with a bar to the error's 99 %; of
+/// hands the median of their mean errors, with a bar from the least to the greatest. One
 /// line for each method along its Pareto front, the points that another of its own outdoes beside
 /// it. And a table with the quantiles of both, the spread between runs, and what was counted.
 void addTo(Outcome& outcome, const WorkPrecision& work);

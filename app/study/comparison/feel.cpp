@@ -106,13 +106,14 @@ double touchFrom(const Judge& judge, const Vec3& p_W, const Vec3& in, double vox
 }  // namespace
 
 std::vector<FeelSummary> compareFeel(const Touched& scene, const haptics::Scene& similar,
-                                     const FreeBlocks& blocks, const SlidePlan& plan, Limit limit) {
+                                     const FreeBlocks& blocks, const SlidePlan& plan, Limit limit,
+                                     unsigned seed) {
   const auto built = haptics::makeScene(scene.volume, ballTool(600, plan.radius),
                                         {haptics::FieldKind::Trilinear, similar.normal}, &similar);
   if (!built) return {};
   const haptics::PointShell& shell = (*built)->tool.shell;
   const auto hand =
-      haptics::Hand::aimed(haptics::HandMotion::Slide, **built, scene.isovalue, 0.0, 1);
+      haptics::Hand::aimed(haptics::HandMotion::Slide, **built, scene.isovalue, 0.0, seed);
   if (!hand) return {};
   const Judge judge{scene, shell, blocks};
   const double voxel = scene.volume->grid.spacing.minCoeff();

@@ -41,6 +41,7 @@ struct SlidePlan {
 /// field and choice of normals are taken over. Empty if there is no even stretch, or no legal place
 /// to begin, or it is too short.
 std::vector<FeelSummary> compareFeel(const Touched& scene, const haptics::Scene& similar,
-                                     const FreeBlocks& blocks, const SlidePlan& plan, Limit limit);
+                                     const FreeBlocks& blocks, const SlidePlan& plan, Limit limit,
+                                     unsigned seed = 1);
 
 }  // namespace comparison

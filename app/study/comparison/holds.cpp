@@ -3,31 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "app/study/comparison/slack.h"
 
 namespace comparison {
 namespace {
 
 constexpr int kMove = 30;  // ticks
-
-/// Random displacements of a pose, normal in six directions.
-class Nudge {
- public:
-  explicit Nudge(std::uint32_t seed) : random_{seed} {}
-  Pose operator()(const Pose& X, double linear, double angular) {
-    const Vec3 turn = angular * triple();
-    Pose out = X;
-    out.translation() += linear * triple();
-    if (turn.norm() > 0.0)
-      out.linear() = Eigen::AngleAxisd{turn.norm(), turn.normalized()} * X.linear();
-    return out;
-  }
-
- private:
-  Vec3 triple() { return {normal_(random_), normal_(random_), normal_(random_)}; }
-  std::mt19937 random_;
-  std::normal_distribution<double> normal_;
-};
 
 /// Where a method is after some of the ticks of a hold.
 struct Ending {
@@ -51,29 +33,6 @@ Ending held(Method& method, const Hold& hold, const haptics::PointShell& shell, 
     out.X_end = tick.X_WP;
   }
   return out;
-}
-
-/// The nearest to the device that random legal steps about a pose come, by growing and shrinking
-/// them with their luck [m].
-double nearestAround(const Pose& X_end, const Hold& hold, const haptics::PointShell& shell,
-                     const Judge& judge, int trials) {
-  constexpr double kFar = 0.0005;  // m
-  const double gyration = std::sqrt(shell.inertia.trace() / 3.0);
-  Nudge nudge{7};
-  Pose X = X_end;
-  double best = massDistance(X, hold.X_WD, shell), size = 0.00005;
-  for (int n = 0; n < trials; ++n) {
-    const Pose X_next = nudge(X, size, size / gyration);
-    const double distance = massDistance(X_next, hold.X_WD, shell);
-    const bool better =
-        distance < best && massDistance(X_end, X_next, shell) < kFar && judge.legal(X_next);
-    if (better) {
-      X = X_next;
-      best = distance;
-    }
-    size = std::clamp(better ? 1.6 * size : 0.93 * size, 1e-7, 0.0002);
-  }
-  return best;
 }
 
 }  // namespace
@@ -133,10 +92,9 @@ std::vector<HoldSummary> compareHolds(std::vector<std::unique_ptr<Method>>& meth
       values[m].same_start.push_back(1e3 * (end.at_8 - std::min(straight, end.at_64)));
       values[m].at_64.push_back(1e3 * (end.at_64 - least));
       values[m].rest.push_back(1e3 * end.rest);
-      if (plan.slack_trials == 0 || !judge.legal(end.X_end)) continue;
-      values[m].slack.push_back(1e3 *
-                                (massDistance(end.X_end, hold.X_WD, shell) -
-                                 nearestAround(end.X_end, hold, shell, judge, plan.slack_trials)));
+      if (plan.slack_trials == 0) continue;
+      if (const auto slack = localSlack(end.X_end, hold.X_WD, shell, judge, plan.slack_trials, 7))
+        values[m].slack.push_back(1e3 * *slack);
     }
   }
   std::vector<HoldSummary> summaries;

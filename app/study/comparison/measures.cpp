@@ -114,6 +114,23 @@ bool Judge::legal(const Pose& X_WP) const {
   });
 }
 
+haptics::Twist Judge::wayOut(const Pose& X_WP, double margin) const {
+  std::vector<reference::Row> rows;
+  for (const Vec3& r_P : shell_.points) {
+    const Vec3 r_W = X_WP.linear() * r_P, p_W = X_WP.translation() + r_W;
+    if (blocks_.free(p_W, 0.0)) continue;
+    const double excess = evaluator::fieldAt(*scene_.volume, p_W) - scene_.isovalue;
+    if (excess < 0.0) continue;
+    const Vec3 slopes = evaluator::slopesAt(*scene_.volume, p_W);
+    const double slope = slopes.norm();
+    if (slope > 0.0)
+      rows.push_back(
+          {-(scene_.volume->grid.direction * slopes) / slope, r_W, excess / slope + margin});
+  }
+  return reference::constrainedMotion({Vec3::Zero(), Vec3::Zero()}, rows,
+                                      reference::massMetric(X_WP, shell_.inertia));
+}
+
 bool Judge::wayRound(const Vec3& from_W, const Vec3& to_W, double step) const {
   // the nearest to the goal first, over a lattice
   constexpr std::size_t kMost = 200'000;  // places: then it is taken for a wall

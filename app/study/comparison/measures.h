@@ -55,6 +55,9 @@ class Judge {
   double depth(const Pose& X_WP) const;
   /// Whether every point has F < s, in double.
   bool legal(const Pose& X_WP) const;
+  /// The least motion in the mass metric after which, to first order, every point that is inside
+  /// is out again by `margin` [m]; zero where none is.
+  haptics::Twist wayOut(const Pose& X_WP, double margin) const;
   /// How many points pass through material between an outside start and an outside end, when the
   /// tool goes straight from one pose to the other. Each path is sampled at a 25th of a voxel.
   /// A method that takes several sub-steps in a tick is seen only at its ends: with

@@ -24,10 +24,16 @@ Touched hole() {
   Touched scene = phantomScene("hole");
   scene.tool = "peg";
   scene.points = 1307;
-  // the peg's end 8 mm down in the hole; off the middle, and not quite upright, so that it catches
-  const haptics::Quat tilt{Eigen::AngleAxisd{0.005, Vec3{1, 2, 0}.normalized()}};
-  const Vec3 p_WE{0.00008, 0.00004, 0.012}, p_EP_P{0.0, 0.0, 0.025};
-  scene.place = haptics::poseOf(p_WE + tilt * p_EP_P, tilt);
+  // the peg's end 8 mm down in the hole; off the middle, and not quite upright, so that it catches,
+  // each seed in another direction
+  scene.place = [](std::uint64_t seed) {
+    constexpr double kGolden = 2.399963;  // rad
+    const double angle = kGolden * double((seed - 1) % 1000);
+    const Eigen::AngleAxisd turn{angle, Vec3::UnitZ()};
+    const haptics::Quat tilt{Eigen::AngleAxisd{0.005, turn.inverse() * Vec3{1, 2, 0}.normalized()}};
+    const Vec3 p_WE = turn * Vec3{0.00008, 0.00004, 0.012}, p_EP_P{0.0, 0.0, 0.025};
+    return haptics::poseOf(p_WE + tilt * p_EP_P, tilt);
+  };
   return scene;
 }
 

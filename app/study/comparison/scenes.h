@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct Touched {
   double isovalue = 0.0;
   std::string tool;  ///< of resources/named_tools
   int points = 0;    ///< of its shell
-  /// Where the hands begin; without it they aim themselves.
-  std::optional<haptics::Pose> place = {};
+  /// Where the hand of a seed begins; without it hands aim themselves.
+  std::function<haptics::Pose(std::uint64_t seed)> place = {};
 };
 
 /// The synthetic rebuilds of the paper's four scenes: bunny, engine, hole, bone. Sizes, types,

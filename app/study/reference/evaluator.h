@@ -63,10 +63,10 @@ inline double fieldAt(const haptics::Volume& volume, const Vec3& p_W) {
   return F[0];
 }
 
-/// |grad F| of the trilinear cell at p, per metre.
-inline double slopeAt(const haptics::Volume& volume, const Vec3& p_W) {
+/// grad F of the trilinear cell at p along the axes of the voxels, per metre.
+inline Vec3 slopesAt(const haptics::Volume& volume, const Vec3& p_W) {
   const Cell cell = cellOf(volume, p_W);
-  double squares = 0.0;
+  Vec3 slopes;
   for (int axis = 0; axis < 3; ++axis) {
     // the four edges along the axis, so that equal voxels give exactly zero
     double slope = 0.0;
@@ -76,10 +76,14 @@ inline double slopeAt(const haptics::Volume& volume, const Vec3& p_W) {
           voxelAt(volume, cell.corner(c | 1 << axis)) - voxelAt(volume, cell.corner(c));
       slope += cell.weight(c, (axis + 1) % 3) * cell.weight(c, (axis + 2) % 3) * rise;
     }
-    slope /= volume.grid.spacing[axis];
-    squares += slope * slope;
+    slopes[axis] = slope / volume.grid.spacing[axis];
   }
-  return std::sqrt(squares);
+  return slopes;
+}
+
+/// |grad F| of the trilinear cell at p, per metre.
+inline double slopeAt(const haptics::Volume& volume, const Vec3& p_W) {
+  return slopesAt(volume, p_W).norm();
 }
 
 /// Distance from p to the nearest voxel with F < isovalue, in m, voxels beyond the grid included:

@@ -21,9 +21,13 @@ struct Record {
 /// Runs one tick for each device pose; the proxy starts at the first, which must be outside.
 std::vector<Record> run(const Scene& scene, std::span<const Pose> device_poses);
 
-/// A tick is frozen if the proxy has moved less than 1e-9 m (translation + radius x rotation)
-/// while it is more than 1e-4 m, by the mass metric, from a device that has moved more than that
-/// 1e-9 m. The share of the ticks in contact; 0 if there is none. Records and poses belong
+/// Whether the tick in contact that led from one pose of proxy and device to the next is frozen:
+/// the proxy has moved less than 1e-9 m (translation + radius x rotation) while it is more than
+/// 1e-4 m, by the mass metric, from a device that has moved more than that 1e-9 m.
+bool isFrozen(const Pose& X_before, const Pose& X_WP, const Pose& X_WD_before, const Pose& X_WD,
+              const haptics::PointShell& shell);
+
+/// The share of frozen ticks of those in contact; 0 if there is none. Records and poses belong
 /// together, tick by tick.
 double frozenShare(std::span<const Record> records, std::span<const Pose> device_poses,
                    const haptics::PointShell& shell);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/comparison/scenes.h"
 #include "app/study/report/outcome.h"
 #include "haptics/simulation/closed_loop.h"
 
@@ -187,6 +188,13 @@ struct LoopResult {
 /// the wait [s]. `turns`: the handle's turns are sensed; else the tool keeps its own.
 haptics::Hand waiting(const haptics::Hand& hand, const std::optional<haptics::Pose>& place,
                       double wait, double seconds, double period, bool turns = true);
+/// Where a scene has the hand of a seed begin.
+inline std::optional<haptics::Pose> placeOf(const comparison::Touched& touched,
+                                            std::uint64_t seed) {
+  return touched.place ? std::optional{touched.place(seed)} : std::nullopt;
+}
+/// Milliseconds of contact up to which they are counted: more says nothing about a case.
+inline constexpr double kContactEnough = 200.0;
 /// Runs a loop and watches the handle between two times [s].
 LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::int64_t ticks,
                    double from = 0.0, double until = INFINITY);

@@ -76,8 +76,7 @@ Outcome pressesOf(const std::string& job, const std::string& stage, Wall wall, c
                  "um",
                  range +
                      "; a move against the spring within a tick, its energy over the force: "
-                     "asked to be within the contact tolerance, though the filter bounds how "
-                     "many there are, not how far");
+                     "the filter takes no pose that rises by more than the contact tolerance");
     std::string where[4];
     std::vector<PlotPoint>& given =
         plot.series.emplace_back(Series{"delay " + shortly(delay), {}}).points;

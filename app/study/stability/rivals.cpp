@@ -105,7 +105,7 @@ Outcome rivalsOn(const std::string& name, bool full, std::uint64_t seed) {
             haptics::Hand::reachFor(1e-3, K, haptics::HumanHand{}.stiffness), 1 + seed);
         if (!aimed) continue;
         const haptics::Hand hand =
-            waiting(*aimed, touched.place, 0.0, 0.5 + seconds, rate.period());
+            waiting(*aimed, placeOf(touched, 1 + seed), 0.0, 0.5 + seconds, rate.period());
         const std::int64_t ticks = std::lround((0.5 + seconds) / rate.period());
         for (const auto& method : methods) {
           const RivalRun run = runRival(*method, device, hand, touched, shell, rate, K, ticks);

@@ -89,8 +89,8 @@ void noiseOnASphere(Trials& found) {
     return at((radius + size - 3e-3) * Vec3{std::sin(n * 1e-3), 0.0, std::cos(n * 1e-3)});
   };
   for (const auto& [noise, bound, grains] :
-       {Row{0.0, 0.1e-3, 1}, Row{0.005, 0.1e-3, 1}, Row{0.02, 0.2e-3, 1}, Row{0.05, 0.6e-3, 3},
-        Row{0.1, 1.7e-3, 12}}) {
+       {Row{0.0, 0.1e-3, 1}, Row{0.005, 0.1e-3, 1}, Row{0.02, 0.2e-3, 1}, Row{0.05, 0.6e-3, 36},
+        Row{0.1, 1.7e-3, 36}}) {
     const std::string name = shortly(100.0 * noise) + " % noise";
     const int ticks = found.tries > 1 ? 3000 : 2000;
     std::vector<double> distances, frozen;  // of each grain: m, the mean; share of the ticks
@@ -157,7 +157,7 @@ FailureGroup surfaces() {
   return {"Thin, noisy and long",
           {{"thin plate", "F1a thin plate, 26 mm in a tick", 1.0, 1.0, thinPlate},
            {"plate with noise", "F2 normals of a thin plate", 1.0, 0.0, plateWithNoise},
-           {"noise on a sphere", "F3 freezing", 3.0, 0.0, noiseOnASphere},
+           {"noise on a sphere", "F3 freezing", 5.0, 0.0, noiseOnASphere},
            {"long voxels", "F6d long voxels", 1.0, 0.0, longVoxels}}};
 }
 

@@ -12,8 +12,10 @@
 #include "app/study/accuracy/collision.h"
 #include "app/study/accuracy/contenders.h"
 #include "app/study/accuracy/field_error.h"
+#include "app/study/accuracy/led.h"
 #include "app/study/accuracy/projection.h"
 #include "app/study/accuracy/work_precision.h"
+#include "app/study/comparison/slack.h"
 #include "app/study/studies.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/phantoms.h"
@@ -136,7 +138,7 @@ TEST(Projections, EnumerationAndTheReferenceAgree) {
 /// Ours, with something wrong in what comes out.
 class Planted final : public comparison::Method {
  public:
-  enum class Error { LaggingForce, Sinks };
+  enum class Error { LaggingForce, Sinks, StopsEarly };
   Planted(std::unique_ptr<comparison::Method> ours, Error error)
       : ours_{std::move(ours)}, error_{error} {}
   const char* name() const override { return "planted"; }
@@ -148,6 +150,8 @@ class Planted final : public comparison::Method {
     const haptics::Vec3 force = tick.force;
     if (error_ == Error::LaggingForce) tick.force = last_;
     if (error_ == Error::Sinks) tick.X_WP.translation() -= 3e-5 * force;
+    if (error_ == Error::StopsEarly && force.norm() > 0.0)
+      tick.X_WP.translation() += 2e-4 * force.normalized();
     last_ = force;
   }
   std::unique_ptr<comparison::Method> ours_;
@@ -232,13 +236,19 @@ TEST(ClosedForms, TheirCasesRepeat) {
     EXPECT_EQ(one.cases[n].value, two.cases[n].value) << one.cases[n].name;
 }
 
-/// What a method does when a ball of 3 mm is pressed 5 mm deep into the sphere and slides along.
+/// A ball of 3 mm is pressed 5 mm deep into the sphere and slides along.
+std::vector<haptics::Pose> pressedBy() {
+  std::vector<haptics::Pose> device;
+  for (int n = 0; n < 120; ++n)
+    device.push_back(made::at(5e-5 * std::max(0, n - 60), 0.0, 0.025 - 1.2e-4 * std::min(n, 60)));
+  return device;
+}
+
+/// What a method does then.
 std::vector<comparison::Tick> pressed(comparison::Method& method) {
   std::vector<comparison::Tick> ticks;
   method.start(made::at(0.0, 0.0, 0.025));
-  for (int n = 0; n < 120; ++n)
-    ticks.push_back(
-        method.tick(made::at(5e-5 * std::max(0, n - 60), 0.0, 0.025 - 1.2e-4 * std::min(n, 60))));
+  for (const haptics::Pose& X_WD : pressedBy()) ticks.push_back(method.tick(X_WD));
   return ticks;
 }
 
@@ -248,6 +258,70 @@ struct Pressed {
   haptics::Tool tool = made::tool(datasets::ballPoints(100, 3e-3));
   std::shared_ptr<const haptics::Scene> built = haptics::makeScene(scene.volume, tool).value();
 };
+
+TEST(Slack, SeesAProxyThatStopsEarlyWhichIsNotFrozen) {
+  const Pressed p;
+  const comparison::FreeBlocks blocks{*p.scene.volume, p.scene.isovalue};
+  const comparison::Judge judge{p.scene, p.tool.shell, blocks};
+  const double rest_gap = p.built->lengths.rest_gap;
+  std::vector<comparison::Course> courses{{"slide", pressedBy(), false}};
+  const auto summary = [&](std::unique_ptr<comparison::Method> method) {
+    std::vector<std::unique_ptr<comparison::Method>> methods;
+    methods.push_back(std::move(method));
+    return comparison::summaryOf(comparison::follow(methods, courses).front(), courses,
+                                 p.tool.shell, judge, 10, rest_gap);
+  };
+  const auto judged = [&](const comparison::Summary& of) {
+    Outcome outcome;
+    study::accuracy::addLegal(outcome, "planted", of);
+    study::accuracy::addSlack(outcome, "planted", of, p.built->lengths.voxel);
+    return allPass(outcome);
+  };
+  const auto ours = summary(oursIn(p.built, p.scene.isovalue));
+  EXPECT_TRUE(judged(ours));
+  const auto early = summary(
+      std::make_unique<Planted>(oursIn(p.built, p.scene.isovalue), Planted::Error::StopsEarly));
+  EXPECT_FALSE(judged(early));
+  EXPECT_LE(early.frozen, ours.frozen);
+  EXPECT_NEAR(early.sorted(&comparison::Part::slack_mm).front(), 0.2, 0.05);
+  // to the bit again, and not that of another seed
+  const auto again = summary(oursIn(p.built, p.scene.isovalue));
+  EXPECT_EQ(again.parts[0].slack_mm, ours.parts[0].slack_mm);
+}
+
+TEST(Slack, IsTheWayThatIsLeft) {
+  // a plate over a plane, and a device below it
+  const datasets::Phantom phantom = datasets::makePhantom("halfspace").value();
+  const comparison::Touched scene{"plane", made::shared(phantom.volume), phantom.isovalue, "", 0};
+  const haptics::Tool plate = made::tool(datasets::platePoints(5, 0.01));
+  const comparison::FreeBlocks blocks{*scene.volume, scene.isovalue};
+  const comparison::Judge judge{scene, plate.shell, blocks};
+  const auto slack = [&](double height) {
+    return comparison::localSlack(made::at(0.0, 0.0, height), made::at(0.0, 0.0, -3e-3),
+                                  plate.shell, judge, 200, 1);
+  };
+  for (const double gap : {1e-5, 1e-4}) EXPECT_NEAR(slack(gap).value(), gap, 0.1 * gap + 1e-6);
+  EXPECT_FALSE(slack(-1e-4));  // inside
+  EXPECT_NEAR(slack(2e-3).value(), comparison::kSlackWithin, 1e-4);
+}
+
+TEST(Hands, AreOthersWithAnotherSeed) {
+  const comparison::Touched scene = comparison::makeScene("hole");
+  const auto built = haptics::makeScene(scene.volume, comparison::toolOf(scene)).value();
+  const auto two = comparison::coursesIn(*built, scene, 0.1, {}, 1, 2).value();
+  const auto second = comparison::coursesIn(*built, scene, 0.1, {}, 2).value();
+  ASSERT_EQ(two.size(), 2 * second.size());
+  for (std::size_t n = 0; n < second.size(); ++n) {
+    EXPECT_EQ(two[n].hand, second[n].hand);
+    EXPECT_NE(two[n].device.front().matrix(), second[n].device.front().matrix());
+    EXPECT_EQ(two[second.size() + n].device.back().matrix(), second[n].device.back().matrix());
+    EXPECT_EQ(two[second.size() + n].seed, 2u);
+  }
+  // in the hole the peg is free where it is put
+  const comparison::FreeBlocks blocks{*scene.volume, scene.isovalue};
+  const comparison::Judge judge{scene, built->tool.shell, blocks};
+  for (unsigned seed = 1; seed <= 50; ++seed) EXPECT_TRUE(judge.legal(scene.place(seed))) << seed;
+}
 
 TEST(Fineness, TheConstantsThemselvesChangeNothing) {
   const Pressed p;

@@ -149,13 +149,14 @@ TEST(Rivals, GivenHalfTheirBudgetMoveInTheDiagram) {
   const std::vector<comparison::Course> courses{overABall()};
   const comparison::FreeBlocks blocks{*scene.volume, scene.isovalue};
   const comparison::Judge judge{scene, tool.shell, blocks};
-  const auto led = study::accuracy::led(std::move(all), courses, 1);
+  const auto led = study::accuracy::led(std::move(all), courses, tool.shell);
   std::vector<comparison::Summary> sums;
   for (const auto& track : led.tracks)
-    sums.push_back(comparison::summaryOf(track, courses, tool.shell, judge, 20));
+    sums.push_back(comparison::summaryOf(track, courses, tool.shell, judge, 20, 1e-5));
   study::Outcome outcome;
-  study::accuracy::addTo(outcome,
-                         study::accuracy::couplingOf(led, "t", sums, courses, tool.shell, judge));
+  study::accuracy::addTo(outcome, study::accuracy::couplingOf(
+                                      led, "t", sums, courses,
+                                      study::accuracy::deviceInside(courses, judge), tool.shell));
   const auto& series = outcome.plots.at(0).series;
   ASSERT_EQ(series.size(), 2u);
   for (std::size_t m = 0; m < 2; ++m) {
