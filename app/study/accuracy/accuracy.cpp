@@ -92,11 +92,11 @@ Study accuracyStudy(Depth depth) {
   for (const std::string& scene : comparison::sceneNames()) {
     // the bunny alone takes seconds to make
     if (quick && scene != "hole") continue;
-    add("scene " + scene, "The paper's scenes", quick ? 15.0 : 350.0,
+    add("scene " + scene, "The paper's scenes", quick ? 35.0 : 850.0,
         [=](std::uint64_t seed) { return sceneStudy(scene, effort, narrow(seed)); });
-    add("scene " + scene + ", epsilon and sub-steps", "The paper's scenes", quick ? 5.0 : 120.0,
+    add("scene " + scene + ", epsilon and sub-steps", "The paper's scenes", quick ? 10.0 : 60.0,
         [=](std::uint64_t seed) { return finenessStudy(scene, fewer, narrow(seed)); });
-    add("scene " + scene + ", stuck", "The paper's scenes", quick ? 5.0 : 120.0,
+    add("scene " + scene + ", stuck", "The paper's scenes", quick ? 12.0 : 250.0,
         [=](std::uint64_t seed) {
           return stuckStudy(scene, quick ? fewer : effort, narrow(seed));
         });

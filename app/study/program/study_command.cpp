@@ -96,7 +96,7 @@ void addStudies(CLI::App& program, Chosen& chosen) {
     CLI::App* one =
         program.add_subcommand(name, study::makeStudy(name, study::Depth::Quick)->title);
     one->add_flag("--quick", options->quick,
-                  "About a minute; the full form takes 2 (plan) to 40 minutes (stability)");
+                  "About a minute; the full form takes 2 (plan) to 90 minutes (accuracy)");
     one->add_option("--seed", options->seed, "Seed of all random numbers")
         ->check(wholeNumber(0, std::numeric_limits<std::uint64_t>::max()));
     one->add_option("--shard", options->shard, "i/n: run only the i-th of n equal parts")
