@@ -383,11 +383,16 @@ bool VolumeView::showsBody(const QRectF& box) {
   const Eigen::AlignedBox3d body = surface_.bounds_mm();
   if (body.isEmpty()) return false;
   // the outline of a convex body is apart from a box if a line along one of its edges is between
-  std::array<QPointF, 8> corners;
-  for (int n = 0; n < 8; ++n) {
-    const auto of = static_cast<Eigen::AlignedBox3d::CornerType>(n);
-    corners[static_cast<std::size_t>(n)] = camera_.projected(body.corner(of));
+  BodyCorners& seen = body_corners_;
+  if (seen.camera != camera()->GetMTime() || seen.size != size() ||
+      !seen.body.isApprox(body, 0.0)) {
+    seen = {camera()->GetMTime(), size(), body, {}};
+    for (int n = 0; n < 8; ++n) {
+      const auto of = static_cast<Eigen::AlignedBox3d::CornerType>(n);
+      seen.corners[static_cast<std::size_t>(n)] = camera_.projected(body.corner(of));
+    }
   }
+  const std::array<QPointF, 8>& corners = seen.corners;
   const std::array<QPointF, 4> sides{box.topLeft(), box.topRight(), box.bottomLeft(),
                                      box.bottomRight()};
   const auto apartAlong = [&](QPointF way) {

@@ -211,6 +211,14 @@ class VolumeView : public Viewport, public Spoken {
   haptics::Snapshot last_;
   bool displayed_ = false;
   bool contacts_shown_ = false;
+  /// Where the corners of the surface's box are seen: labels ask at very many places.
+  struct BodyCorners {
+    std::uint64_t camera = 0;  ///< its time
+    QSize size;
+    Eigen::AlignedBox3d body;
+    std::array<QPointF, 8> corners;
+  };
+  BodyCorners body_corners_;
   std::vector<QRectF> covered_;
   bool mouse_hand_ = false;
   MouseMode mode_ = MouseMode::Look;

@@ -595,7 +595,7 @@ TEST(Marks, ANoteIsTypedWhereItWasPlaced) {
   EXPECT_EQ(scan.last().kind, MeasureKind::Note);
   EXPECT_EQ(scan.last().text, "thin wall");
   // the view in which it was set has the keys again
-  EXPECT_EQ(QApplication::focusWidget(), &view);
+  EXPECT_TRUE(waitFor([&] { return QApplication::focusWidget() == &view; }));
   EXPECT_EQ(scan.value(0), "");
   window::keep(window::pictureAtRest(view), "marks_note_3d");
   window::keep(window::pictureOf(scan.window), "marks_note");
