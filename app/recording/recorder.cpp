@@ -76,7 +76,7 @@ std::int64_t applicationOf(const fs::path& part) {
 
 /// Brings the log into the file, checks it, closes it and gives it its name.
 haptics::Expected<fs::path> completed(std::optional<Database>& database, const fs::path& part,
-                             const fs::path& target) {
+                                      const fs::path& target) {
   const auto failed = [&](haptics::Message why) {
     if (database) database->keepLog();
     database.reset();
@@ -514,8 +514,8 @@ haptics::Expected<std::unique_ptr<Recorder>> Recorder::create(const fs::path& ta
         .run();
   };
   if (!database->run(setup.c_str()) || !say("palpate", facts.version) ||
-      !say("build", facts.build) || !say("machine", facts.machine) ||
-      !say("about", facts.about) || !say("vectors", haptics::lanes::targetName()) || !say("step_layout", stepLayout(layout)) ||
+      !say("build", facts.build) || !say("machine", facts.machine) || !say("about", facts.about) ||
+      !say("vectors", haptics::lanes::targetName()) || !say("step_layout", stepLayout(layout)) ||
       !say("contact_layout", contactLayout(layout)) || !database->run("COMMIT")) {
     const haptics::Message why = complaintOf(*database);
     database.reset();

@@ -17,9 +17,9 @@ namespace app {
 
 /// The program and machine that made a recording. No host, user or date.
 struct RecordingFacts {
-  std::string version;  ///< of Palpate
-  std::string build;    ///< one word; programs with the same build give the same numbers
-  std::string machine;  ///< processor, cores, memory
+  std::string version;     ///< of Palpate
+  std::string build;       ///< one word; programs with the same build give the same numbers
+  std::string machine;     ///< processor, cores, memory
   std::string about = {};  ///< JSON: program, commit, and how a run was asked for
 };
 

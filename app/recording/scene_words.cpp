@@ -25,7 +25,9 @@ constexpr std::size_t kMostPoints = 10'000'000;
 constexpr std::pair<haptics::FieldKind, const char*> kFields[] = {
     {haptics::FieldKind::Trilinear, "trilinear"}, {haptics::FieldKind::CubicSpline, "spline"}};
 constexpr std::pair<haptics::NormalKind, const char*> kNormals[] = {
-    {haptics::NormalKind::Central, "central"}, {haptics::NormalKind::Cell, "cell"}, {haptics::NormalKind::Spline, "spline"}};
+    {haptics::NormalKind::Central, "central"},
+    {haptics::NormalKind::Cell, "cell"},
+    {haptics::NormalKind::Spline, "spline"}};
 constexpr std::pair<bool haptics::Plan::*, const char*> kPlan[] = {
     {&haptics::Plan::free_space, "free_space"},
     {&haptics::Plan::empty_space, "empty_space"},

@@ -46,9 +46,9 @@ struct ClosedLoop {
   bool hand_is_device = false;
   ServoRate rate = {};
   Linkage linkage = {};
-  double lead = 0.0;     ///< s, of the pose that the tick takes (servo/pose_predictor.h)
+  double lead = 0.0;             ///< s, of the pose that the tick takes (servo/pose_predictor.h)
   std::int64_t budget_work = 0;  ///< units of work that a tick may take; 0: what the rate gives
-  double damping = 0.0;  ///< N·s/m, virtual damping while the wrench is not zero
+  double damping = 0.0;          ///< N·s/m, virtual damping while the wrench is not zero
   /// Damping that a passivity controller may use, N·s/m; 0: no controller.
   double passivity_damping = 0.0;
   /// Called once, before the first tick, with the pose at which the proxy begins; may be empty.

@@ -9,7 +9,8 @@ namespace resources {
 inline constexpr Row kApp[] = {
     {"name-or-file-unknown", "There is no \"%1\"; choose one of %2, or a file.", "unknown-name"},
     {"volume-constant",
-     "Every voxel of the volume is %1, so it has no surface to touch; choose another series, or check "
+     "Every voxel of the volume is %1, so it has no surface to touch; choose another series, or "
+     "check "
      "the file.",
      "nothing-inside"},
     {"isovalue-below-background",
@@ -44,13 +45,15 @@ inline constexpr Row kApp[] = {
     {"table-line-long", "Line %2 of \"%1\" is longer than 64 kB; check that it is a table.",
      "bad-table"},
     {"poses-names",
-     "Column %2 of \"%1\" is called \"%3\", where %4 belongs; the first eight columns of a hand are "
+     "Column %2 of \"%1\" is called \"%3\", where %4 belongs; the first eight columns of a hand "
+     "are "
      "%5.",
      "bad-table"},
     {"poses-no-rotation", "\"%1\" has a rotation in line %2 that is no unit quaternion.",
      "bad-table"},
     {"poses-too-far",
-     "\"%1\" leads the hand further away than 100 m in line %2, which no hand goes; its positions are "
+     "\"%1\" leads the hand further away than 100 m in line %2, which no hand goes; its positions "
+     "are "
      "in metres.",
      "bad-table"},
     {"poses-time",

@@ -25,7 +25,8 @@ inline constexpr Row kScenes[] = {
     {"edit-no-piece",
      "There is no solid at the place; point at the surface, or lower the isovalue.", "nothing"},
     {"edit-no-holder",
-     "No table or holder was found beside the patient; take it away with the scalpel, or as a piece.",
+     "No table or holder was found beside the patient; take it away with the scalpel, or as a "
+     "piece.",
      "nothing"},
     {"edit-crop-outside", "The crop box reaches beyond the scan; draw it within.", "nothing"},
     {"edit-not-editable",
