@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTurnPerWidget = 180.0;  // degrees for a drag across the widget
 constexpr double kViewAngle_deg = 30.0;
-constexpr double kMargin = 1.08;  // of what is framed
+constexpr double kMargin = 1.08, kLetterMargin = 1.04;  // of what is framed, and beside letters
 // px, at the edges, where letters stand: two beside each other, or one line
 constexpr double kSideOfLetters = 48.0, kEndOfLetters = 30.0;
 const double kHalf = std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180.0);
@@ -138,13 +138,13 @@ void SpaceCamera::fit(std::vector<Eigen::Vector3d> outline_mm, const Eigen::Matr
   const Eigen::Vector3d reach = 0.5 * taken_mm.sizes(), centre_mm = axes * taken_mm.center();
   const double width = std::max(1, view_.width()), height = std::max(1, view_.height());
   const double about =
-      std::max(reach.y(), reach.x() * height / width) + 0.03 * taken_mm.sizes().norm();
+      kMargin * (std::max(reach.y(), reach.x() * height / width) + 0.03 * taken_mm.sizes().norm());
   // beside the letters at the edges, but in a tiny view
   const double room_x = std::max(0.5 * width, width - 2.0 * kSideOfLetters);
   const double room_y = std::max(0.5 * height, height - 2.0 * kEndOfLetters);
   // the body reaches farther than the places of its outline, which lie in few directions
-  const double half =
-      kMargin * std::max({about, reach.y() * height / room_y, reach.x() * height / room_x});
+  const double half = std::max(
+      about, kLetterMargin * std::max(reach.y() * height / room_y, reach.x() * height / room_x));
   // without perspective the middle is as large as the front is with it
   camera_->SetParallelScale(half);
   set(centre_mm + axes.col(2) * (half / kHalf + reach.z()), centre_mm);

@@ -70,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
       loading_(new Loading(*start_)),
       status_(new StatusLine),
       stopped_(new Banner(Banner::Kind::Stopped, "stopped")),
+      above_(new QWidget),
       touch_(new TouchState(*bar_, *stopped_, *status_)),
       escape_(new EscapeFilter(*this)),
       menus_(new Menus(*this, *bar_, *views_)),
@@ -111,6 +112,7 @@ void MainWindow::buildViews() {
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  column->addWidget(above_);
   messages_->placeIn(*column);
   // in the same place: the page covers the views until there is something to see
   auto* views = new QGridLayout;
@@ -118,7 +120,8 @@ void MainWindow::buildViews() {
   views->addWidget(start_, 0, 0);
   start_->raise();
   start_->hide();  // until someone fills it
-  for (QWidget* moved : {static_cast<QWidget*>(&views_->volume()), views_->volume().parentWidget()})
+  for (QWidget* moved :
+       {static_cast<QWidget*>(&views_->volume()), views_->volume().parentWidget(), above_})
     moved->installEventFilter(this);
   column->addLayout(views, 1);
   column->addWidget(replay_);
@@ -300,9 +303,8 @@ void MainWindow::addOverView(Banner& banner) {
 /// room for that an offer stands above the views; why there is no force never moves them.
 void MainWindow::placeOverView() {
   const QWidget& volume = views_->volume();
-  auto& column = static_cast<QVBoxLayout&>(*splitter_->widget(1)->layout());
   QList<QRect> covered;
-  int top = kTopOfView;
+  int top = kTopOfView, height_above = 0;
   for (Banner* banner : over_view_) {
     if (banner->isHidden()) continue;
     const auto holds = [&](int width, bool stacked) {
@@ -325,19 +327,21 @@ void MainWindow::placeOverView() {
     const bool above =
         banner != stopped_ && (view != &volume || top + height > volume.height() / 3);
     banner->setStacked(stacked && !above);
+    QRect place(view->mapTo(banner->parentWidget(), QPoint{0, top}), QSize(width, height));
     if (above) {
-      if (column.indexOf(banner) < 0) column.insertWidget(0, banner);
-      continue;
+      width = above_->width();
+      place = QRect(0, height_above, width, banner->heightIf(false, width));
+      height_above += place.height();
+    } else {
+      top += place.height() + style::kStep;
+      covered << QRect(volume.mapFrom(this, banner->parentWidget()->mapTo(this, place.topLeft())),
+                       place.size());
     }
-    column.removeWidget(banner);
-    const QRect place(view->mapTo(banner->parentWidget(), QPoint{0, top}), QSize(width, height));
-    top += place.height() + style::kStep;
-    covered << QRect(volume.mapFrom(this, banner->parentWidget()->mapTo(this, place.topLeft())),
-                     place.size());
     if (banner->geometry() == place) continue;
     banner->setGeometry(place);
     banner->raise();
   }
+  above_->setFixedHeight(height_above);
   views_->setSentences(covered);
 }
 

@@ -115,6 +115,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   Banner* stopped_;
   std::vector<Banner*> over_view_;
+  QWidget* above_;  ///< the room above the views that one of these needs
   TouchState* touch_;
   EscapeFilter* escape_;
   Menus* menus_;
