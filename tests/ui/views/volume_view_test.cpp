@@ -58,7 +58,7 @@ TEST(VolumeView, LooksAtFirstFromTheFrontLeftAndAboveAndFillsTheViewWithTheSurfa
   const QPointF middle = view.projected(centre);
   EXPECT_LT(QLineF(middle, QPointF(250, 200)).length(), 8.0);
   const double radius = QLineF(middle, view.projected(centre + 0.020 * axes.col(1))).length();
-  EXPECT_GT(radius, 0.65 * 200.0);
+  EXPECT_GT(radius, 0.7 * 200.0);
   EXPECT_LT(radius, 0.95 * 200.0);
 }
 
