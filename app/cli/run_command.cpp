@@ -253,7 +253,7 @@ nlohmann::ordered_json settingsOf(const RunOptions& options, const haptics::Scen
   return json;
 }
 
-/// What a recording tells of the run that is not in its steps and scenes.
+/// The facts of a run that a recording keeps beside its steps and scenes.
 nlohmann::ordered_json aboutOf(const nlohmann::ordered_json& settings) {
   nlohmann::ordered_json about;
   for (const char* name : {"scene", "hand", "seed", "device", "budget_work", "budget_clock"})

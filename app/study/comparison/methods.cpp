@@ -99,7 +99,7 @@ class Rival final : public Method {
   reference::State state_;
 };
 
-/// What a rival of others is told of a scene: its field has no choices to make.
+/// The scene as a rival of others knows it: its field has no choices to make.
 reference::Scene toldOf(const Touched& scene, const haptics::PointShell& shell, double stiffness) {
   return {{*scene.volume, scene.isovalue, {}}, shell, stiffness, 0.0};
 }

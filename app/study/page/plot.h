@@ -50,7 +50,7 @@ inline constexpr int kMostSeries = 8;
 
 /// The plot as an <svg> element for a page whose style sheet is that of `Page`; `id` is unique in
 /// the page. On a logarithmic axis what is zero or less stands in a lane of its own at the lower
-/// end, marked 0. What is not finite is not drawn, and of marks on one place only the first.
+/// end, marked 0. Values that are not finite are not drawn, nor a second mark on one place.
 /// Settings stand beside their marks where there is room, and are the marks' titles. Series beyond
 /// kMostSeries repeat the first marks.
 std::string svgOf(const Plot& plot, const std::string& id);

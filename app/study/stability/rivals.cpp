@@ -14,7 +14,7 @@ namespace {
 using comparison::Method;
 using haptics::HandMotion;
 
-/// What a direction of a wrench comes to within a rating.
+/// The size of a wrench's direction within a rating.
 Vec3 within(const Vec3& wanted, double most) {
   const double size = wanted.norm();
   return size > most ? Vec3{wanted * (most / size)} : wanted;
