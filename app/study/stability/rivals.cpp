@@ -14,7 +14,7 @@ namespace {
 using comparison::Method;
 using haptics::HandMotion;
 
-/// The size of a wrench's direction within a rating.
+/// A force or torque, shortened to its rating where it is larger.
 Vec3 within(const Vec3& wanted, double most) {
   const double size = wanted.norm();
   return size > most ? Vec3{wanted * (most / size)} : wanted;
