@@ -391,13 +391,25 @@ TEST(Controllers, TheCardLeavesTheToolInSightAndFoldsToALine) {
   EXPECT_GT(card->height(), 100);
 }
 
+TEST(Controllers, TheToolWaitsInTheSightOfTheFirstPicture) {
+  const app::Loaded loaded = loadedSphere();
+  const haptics::Scene& scene = *loaded.scene;
+  ui::MainWindow window;
+  window::showAndWait(window, {1000, 700});
+  window.show(loaded.picture, loaded.isovalue, "Sphere");
+  const haptics::Vec3 towards = window.views().volume().viewAxes().col(2);
+  const haptics::Vec3 tip = loaded.start * app::tipOf(scene.tool);
+  // pushed in along the sight, the tip meets the ball straight
+  EXPECT_LT(tip.cross(towards).norm(), 1e-3);
+  EXPECT_NEAR(tip.norm(), 0.028, 0.003);  // m: 8 mm off the ball
+}
+
 TEST(Controllers, TheToolWaitsInFrontOfASlabWithItsTip) {
   const app::Loaded loaded = loadedSphere();
   haptics::Volume slab = *loaded.volume();
   const auto middle = static_cast<std::int64_t>(slab.grid.dims[2] / 2);
   slab.crop = haptics::VoxelBox{{0, 0, middle - 4}, slab.grid.dims};
   slab.crop->end[2] = middle + 4;
-  const haptics::Vec3 low = slab.grid.worldOf({0.0, 0.0, double(middle - 4)});
   const haptics::Vec3 high = slab.grid.worldOf({0.0, 0.0, double(middle + 3)});
   auto drill = haptics::makeTool("drill", *resources::namedToolMesh("drill"));
   ASSERT_TRUE(drill);
@@ -407,11 +419,12 @@ TEST(Controllers, TheToolWaitsInFrontOfASlabWithItsTip) {
   const auto start = app::startPose(**scene, loaded.isovalue);
   ASSERT_TRUE(start);
   const haptics::Vec3 tip = *start * app::tipOf((*scene)->tool);
-  EXPECT_GT(tip.z(), low.z());
-  EXPECT_LT(tip.z(), high.z());
-  EXPECT_NEAR(tip.y(), -0.028, 0.003);  // 8 mm in front of the ball
+  // which is seen from above
+  EXPECT_GT(tip.z(), high.z() + 0.004);
+  EXPECT_LT(tip.z(), high.z() + 0.010);
+  EXPECT_LT(std::hypot(tip.x(), tip.y()), 0.015);
   for (const haptics::Vec3& p : (*scene)->tool.shell.points)
-    EXPECT_LT((*start * p).y(), -0.02);  // nothing of it is beside the ball
+    EXPECT_GT((*start * p).z(), high.z());  // nothing of it is beside the ball
 }
 
 TEST(Controllers, AMeasurementIsMadeAndEndedWithAReason) {

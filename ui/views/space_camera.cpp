@@ -19,8 +19,17 @@ constexpr double kMargin = 1.08, kLetterMargin = 1.04;  // of what is framed, an
 // px, at the edges, where letters stand: two beside each other, or one line
 constexpr double kSideOfLetters = 48.0, kEndOfLetters = 30.0;
 const double kHalf = std::tan(0.5 * kViewAngle_deg * std::numbers::pi / 180.0);
+constexpr double kSeenAtLeast = 0.6;  // of the most that is seen of a box from anywhere
 
 }  // namespace
+
+Eigen::Vector3d firstDirection(const Eigen::Vector3d& sizes) {
+  const Eigen::Vector3d from = Eigen::Vector3d{0.45, -0.8, 0.4}.normalized();
+  // how much of a box is seen from a direction: its sides, each by how much it faces there
+  const Eigen::Vector3d sides{sizes.y() * sizes.z(), sizes.z() * sizes.x(), sizes.x() * sizes.y()};
+  if (sides.dot(from.cwiseAbs()) >= kSeenAtLeast * sides.norm()) return from;
+  return (from + 2.0 * sides.normalized().cwiseProduct(from.cwiseSign())).normalized();
+}
 
 SpaceCamera::SpaceCamera(const QWidget& view)
     : view_(view), camera_(vtkSmartPointer<vtkCamera>::New()) {

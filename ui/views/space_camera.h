@@ -13,6 +13,10 @@ class vtkCamera;
 
 namespace ui {
 
+/// From where a box of these sizes is seen at first (unit, towards the viewer): from the front, a
+/// little from the left and above; a slab more from its broad side.
+Eigen::Vector3d firstDirection(const Eigen::Vector3d& sizes);
+
 /// The camera of the 3-D view: how the mouse turns, shifts and zooms it, and where W is on the
 /// screen, with and without perspective. Millimetres of W, and pixels of the widget.
 class SpaceCamera {

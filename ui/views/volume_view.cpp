@@ -33,7 +33,6 @@ constexpr std::int64_t kMovingTriangles = 80'000;
 constexpr int kStillMs = 400;         // no movement for this long is rest
 constexpr int kPointedMs = 100;       // between two looks at what is under the pointer
 constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
-constexpr double kSeenAtLeast = 0.6;  // of the most that is seen of a box from anywhere
 constexpr double kBehindTool_mm = 120.0;                 // of the eye, looking along the tool
 constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;  // px, at the edges, where letters stand
 
@@ -295,18 +294,11 @@ void VolumeView::fitClippingRange() {
   veil_->forget();
 }
 
-/// From the front, a little from the left and above; a slab more from its broad side.
 void VolumeView::lookAtFirst() {
   if (box_mm_.isEmpty()) return;
-  Eigen::Vector3d from = Eigen::Vector3d{0.45, -0.8, 0.4}.normalized();
   Eigen::AlignedBox3d solid;
   for (const Eigen::Vector3d& p_mm : surface_.outline_mm()) solid.extend(p_mm);
-  // how much of a box is seen from a direction: its sides, each by how much it faces there
-  const Eigen::Vector3d d = solid.sizes();
-  const Eigen::Vector3d sides{d.y() * d.z(), d.z() * d.x(), d.x() * d.y()};
-  if (sides.dot(from.cwiseAbs()) < kSeenAtLeast * sides.norm())
-    from = (from + 2.0 * sides.normalized().cwiseProduct(from.cwiseSign())).normalized();
-  frameSurface(from, Eigen::Vector3d::UnitZ());
+  frameSurface(firstDirection(solid.sizes()), Eigen::Vector3d::UnitZ());
 }
 
 void VolumeView::lookFrom(Side side) { frameSurface(directionOf(side), upOf(side)); }

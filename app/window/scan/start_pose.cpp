@@ -6,6 +6,7 @@
 
 #include "app/window/scan/tool_place.h"
 #include "haptics/scene/legal_pose.h"
+#include "ui/views/space_camera.h"
 
 namespace app {
 namespace {
@@ -44,16 +45,18 @@ std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isova
     last[a] = static_cast<double>(box.end[static_cast<std::size_t>(a)] - 1);
   }
   const haptics::Vec3 middle = grid.worldOf(0.5 * (first + last));
-  const double reach = 0.5 * (last - first).cwiseProduct(grid.spacing).norm();
+  const haptics::Vec3 sizes = (last - first).cwiseProduct(grid.spacing);
+  const double reach = 0.5 * sizes.norm();
   const double step = 0.5 * grid.spacing.minCoeff();
-  // from the front of the patient (-y of LPS) inwards
-  const haptics::Vec3 inwards = haptics::Vec3::UnitY();
-  // what is nearest to the front about the line, so that the tip waits in no hollow
+  // along the sight of the first picture, in which the wheel pushes the tool
+  const haptics::Vec3 inwards = -ui::firstDirection(grid.direction.cwiseAbs() * sizes);
+  const haptics::Vec3 right = inwards.unitOrthogonal(), up = inwards.cross(right);
+  // what is nearest to the eye about the line, so that the tip waits in no hollow
   double depth = reach;
   for (const double x : kAbout)
-    for (const double z : kAbout)
+    for (const double y : kAbout)
       for (double at = -reach; at < depth; at += step)
-        if (nearestVoxel(volume, middle + inwards * at + haptics::Vec3{x, 0.0, z}) >= isovalue)
+        if (nearestVoxel(volume, middle + inwards * at + right * x + up * y) >= isovalue)
           depth = at;
   if (depth >= reach) depth = 0.0;  // nothing there
   haptics::Pose X_WT = haptics::Pose::Identity();

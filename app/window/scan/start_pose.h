@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// The pose of the tool before a hand moves it: the tip in front of the patient, a little off the
-/// first surface on the line towards the middle of the volume, the handle away from the patient.
-/// None if no legal pose is near.
+/// The pose of the tool before a hand moves it: the tip a little off the first surface on
+/// the line of sight of the first picture to the middle of the volume, the handle away from the
+/// patient. None if no legal pose is near.
 std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isovalue);
 
 }  // namespace app
