@@ -204,7 +204,7 @@ void Session::close() {
 }
 bool Session::isOpen() const { return loop_->servo != nullptr; }
 
-void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
+void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W, bool with_hand) {
   loop_->scene = std::move(scene);
   loop_->X_start = start_W;
   if (!loop_->servo) return;
@@ -212,7 +212,9 @@ void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W) {
   const Pose X_legal =
       legalPoseNear(*loop_->scene, loop_->settings.isovalue, start_W).value_or(start_W);
   loop_->servo->settings.publish(inForce());  // the tool's inertia may have changed
-  loop_->servo->scenes.offer(std::make_unique<Engagement>(loop_->scene, X_legal));
+  auto engagement = std::make_unique<Engagement>(loop_->scene, X_legal);
+  if (with_hand) engagement->X_WH = X_legal;
+  loop_->servo->scenes.offer(std::move(engagement));
 }
 
 void Session::bring(const Pose& X_WT, const Pose& X_WH) {

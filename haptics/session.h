@@ -57,7 +57,8 @@ class Session {
 
   /// Hands over a scene; the servo thread adopts it at a tick boundary, with the force ramping
   /// from zero. The old one is destroyed here, by collectGarbage(), once the servo has left it.
-  void adopt(std::shared_ptr<const Scene> scene, const Pose& start_W);
+  /// `with_hand`: in that tick the mouse comes along, as it does in bring().
+  void adopt(std::shared_ptr<const Scene> scene, const Pose& start_W, bool with_hand = false);
   void collectGarbage();
   /// Brings the tool to a pose in the present scene, with the force ramping from zero. The mouse
   /// comes along and pulls to X_WH from there; a real device stays where it is, and its mapping

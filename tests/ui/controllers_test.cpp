@@ -14,11 +14,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -156,6 +159,54 @@ TEST(Controllers, AHandIsOpenedWithTheSceneAndChangedUnlessARecordingIsOnView) {
   EXPECT_EQ(changed.count(), 2);
   EXPECT_EQ(replay_end.count(), 1);
   EXPECT_FALSE(shared.session.isOpen());
+}
+
+TEST(Controllers, AnotherScanIsFeltFromZeroAndTheMouseComesAlong) {
+  ui::MainWindow window;
+  app::SharedState shared;
+  app::HandController controller(window.views(), window.messages(), window.panels(), window.touch(),
+                                 shared, "mouse", 700.0);
+  shared.shown = loadedSphere();
+  shared.settings.isovalue = shared.shown->isovalue;
+  controller.adopt(true, false);
+  controller.resume();
+  std::vector<haptics::ForceSample> some(4096);
+  std::vector<float> forces;
+  const auto more = [&] {
+    const std::size_t count = shared.session.forces(some);
+    for (std::size_t n = 0; n < count; ++n) forces.push_back(some[n].force);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  };
+  // pressed into the surface, with all of the force
+  haptics::Pose X_WH = shared.shown->start;
+  X_WH.translation() -= 0.014 * X_WH.translation().normalized();
+  shared.session.pull(X_WH);
+  haptics::Snapshot snapshot;
+  ASSERT_TRUE(window::waitFor([&] {
+    more();
+    shared.session.latest(snapshot);
+    return snapshot.force_state == haptics::ForceState::On && snapshot.felt_W.force.norm() > 0.5;
+  }));
+  const float pressed = static_cast<float>(snapshot.felt_W.force.norm());
+  // of the other scan the tool begins behind the ball
+  const auto old = shared.shown->scene;
+  const auto other = haptics::makeScene(old->volume, haptics::Tool{old->tool});
+  ASSERT_TRUE(other);
+  shared.shown->scene = *other;
+  haptics::Pose& start = shared.shown->start;
+  const haptics::Vec3 about = start.translation().unitOrthogonal();
+  start = Eigen::AngleAxisd(std::numbers::pi, about) * start;
+  more();
+  forces.clear();
+  controller.adopt(true, false);
+  while (forces.size() < 800) more();
+  std::size_t other_scan = 0;  // the first tick in it
+  while (other_scan < forces.size() && forces[other_scan] > 0.1F * pressed) ++other_scan;
+  ASSERT_LT(other_scan, forces.size());
+  for (std::size_t n = 0; n < forces.size(); ++n)
+    ASSERT_LT(forces[n], n < other_scan ? 1.1F * pressed : 0.01F) << n;
+  shared.session.latest(snapshot);
+  EXPECT_LT((snapshot.X_WD.translation() - shared.shown->start.translation()).norm(), 1e-3);
 }
 
 TEST(Controllers, AnIsovalueIsShownAndTouchedOrOnlyShown) {

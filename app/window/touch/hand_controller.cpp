@@ -132,12 +132,14 @@ void HandController::adopt(bool new_volume, bool placed) {
   std::optional<haptics::Pose> start;
   if (!new_volume && placed)
     start = haptics::legalPoseNear(*shown.scene, shared_.settings.isovalue, shared_.snapshot.X_WP);
-  // the hand comes along where the tool starts elsewhere
-  if (!start && mouse) {
-    session.pull(shown.start);
+  // the hand comes along where the tool starts elsewhere, and not before: it would pull the tool
+  // through the surface that is still felt
+  const bool along = !start && mouse;
+  if (along) {
     views_.volume().setMouseHand(true);
+    views_.volume().placeHand(shown.start);
   }
-  session.adopt(shown.scene, start.value_or(shown.start));
+  session.adopt(shown.scene, start.value_or(shown.start), along);
   if (new_volume && !device) emit touch_.forceOnWanted();
   // not before the scene: in the old volume this isovalue may make everything solid
   shared_.apply();
