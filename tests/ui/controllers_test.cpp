@@ -28,6 +28,7 @@
 #include "app/window/scan/kept_phantom.h"
 #include "app/window/scan/start_pose.h"
 #include "app/window/scan/tool_place.h"
+#include "app/window/scan/touched_surface.h"
 #include "app/window/touch/measurement_controller.h"
 #include "app/window/views/picture_controller.h"
 #include "datasets/phantoms/phantoms.h"

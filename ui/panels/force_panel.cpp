@@ -12,6 +12,7 @@
 #include <initializer_list>
 
 #include "ui/controls/figure.h"
+#include "ui/controls/touched_words.h"
 #include "ui/panels/force_words.h"
 #include "ui/panels/tissue_bands.h"
 #include "ui/style/look.h"
@@ -29,16 +30,9 @@ QString touchWords(const haptics::Snapshot& snapshot, const std::optional<Touche
     return sentenceFor(snapshot.force_state, snapshot.reason, snapshot.trouble);
   if (snapshot.contacts == 0) return ForcePanel::tr("Nothing is touched");
   if (!touched) return ForcePanel::tr("Touching");
-  const bool hu = touched->unit == QLatin1String("HU");
-  // no steadier than the hand is: to 10 HU, or to three digits
-  const double size = std::abs(touched->value);
-  const double step = hu           ? 10.0
-                      : size > 0.0 ? std::pow(10.0, std::floor(std::log10(size)) - 2.0)
-                                   : 1.0;
-  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step))));
-  const QString value = QLocale().toString(std::round(touched->value / step) * step, 'f', decimals);
-  const QString with_unit = touched->unit.isEmpty() ? value : value + ' ' + touched->unit;
-  const QString tissue = hu ? tissueAt(touched->value) : QString();
+  const QString with_unit = touchedWords(touched->value, touched->unit);
+  const QString tissue =
+      touched->unit == QLatin1String("HU") ? tissueAt(touched->value) : QString();
   return tissue.isEmpty() ? ForcePanel::tr("Touching %1").arg(with_unit)
                           : ForcePanel::tr("Touching %1, %2").arg(tissue, with_unit);
 }

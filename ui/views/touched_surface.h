@@ -15,10 +15,12 @@ struct SurfacePlace {
 };
 
 /// The surface that is touched, as views ask for it: the very field that the servo uses, whatever
-/// its kind. `app` gives it; both functions are empty before the first volume. GUI thread.
+/// its kind. `app` gives it; its functions are empty before the first volume. GUI thread.
 struct TouchedSurface {
   /// The field at a place [m], in the volume's unit.
   std::function<double(const haptics::Vec3& p_W)> value = {};
+  /// The field half a voxel behind the surface at a place of it [m]: of what is touched there.
+  std::function<double(const haptics::Vec3& p_W)> behind = {};
   /// Where the segment first meets the surface at this isovalue; none: nowhere.
   std::function<std::optional<SurfacePlace>(const haptics::Vec3& from_W, const haptics::Vec3& to_W,
                                             double isovalue)>

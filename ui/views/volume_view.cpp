@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "ui/controls/touched_words.h"
 #include "ui/props/held_pass.h"
 #include "ui/props/veil_pass.h"
 #include "ui/style/scene_colours.h"
@@ -423,9 +424,10 @@ void VolumeView::zoom(double factor, QPointF at) {
 void VolumeView::tellPointed() {
   QString words;
   const auto met = pointer_in_ && !grasp_ ? surfaceUnder(last_mouse_) : std::nullopt;
-  if (met && touched_.value && picture().volume != nullptr)
-    words = intensityWords(touched_.value(met->p_W), *picture().volume) + QStringLiteral("   ") +
-            positionWords(met->p_W * kMmPerM, orientation_known_);
+  if (met && touched_.behind && picture().volume != nullptr)
+    words =
+        touchedWords(touched_.behind(met->p_W), QString::fromStdString(picture().volume->unit)) +
+        QStringLiteral("   ") + positionWords(met->p_W * kMmPerM, orientation_known_);
   emit pointedChanged(words);
 }
 

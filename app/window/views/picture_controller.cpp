@@ -7,21 +7,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/window/scan/touched_surface.h"
 #include "ui/views/volume_view.h"
 
 namespace app {
-
-double valueBehind(const haptics::ScalarField& field, haptics::Vec3 p_W) {
-  const haptics::Vec3 rise_W = field.sample(field.indexOf(p_W)).gradient_W;
-  if (rise_W.norm() > 0.0) p_W += 0.5 * field.voxel() * rise_W.normalized();
-  haptics::Vec3 u = field.indexOf(p_W);
-  const haptics::VoxelBox& box = field.bounds();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    u(Eigen::Index(axis)) =
-        std::clamp(u(Eigen::Index(axis)), double(box.first[axis]), double(box.end[axis] - 1));
-  return field.value(u);
-}
-
 namespace {
 
 constexpr int kDisplayMs = 16;  // 60 Hz

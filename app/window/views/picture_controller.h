@@ -17,10 +17,6 @@
 
 namespace app {
 
-/// The field's value half a voxel behind its surface at a place of W [m]: of what is touched there.
-/// At the grid's edge that of the outermost voxels, behind which there is background.
-double valueBehind(const haptics::ScalarField& field, haptics::Vec3 p_W);
-
 /// Keeps the picture up to date: the newest snapshot and forces at display rate, and without a
 /// usable GPU the fine mesh of the surface. Its panel shows the force.
 class PictureController : public QObject {

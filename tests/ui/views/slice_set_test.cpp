@@ -483,7 +483,8 @@ TEST(Slices, TheSpaceViewSaysValueAndPlaceUnderThePointerToo) {
   Window w;
   const Vec3 p{0.001, -0.014, 0.002};
   int asked = 0;
-  w.window.views().setTouched({.value = [](const Vec3&) { return 312.4; },
+  w.window.views().setTouched({.value = [](const Vec3&) { return 300.0; },
+                               .behind = [](const Vec3&) { return 478.4; },
                                .firstMet =
                                    [&](const Vec3&, const Vec3&, double) {
                                      ++asked;
@@ -501,7 +502,8 @@ TEST(Slices, TheSpaceViewSaysValueAndPlaceUnderThePointerToo) {
   EXPECT_EQ(asked, 0);  // not for every move
   ASSERT_TRUE(window::waitFor([&] { return plate->isVisible(); }));
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(plate->text(), "312 HU   LPS 1.0, -14.0, 2.0 mm");
+  // as the card says it of a tool that touches there
+  EXPECT_EQ(plate->text(), "480 HU   LPS 1.0, -14.0, 2.0 mm");
   QTest::qWait(250);
   EXPECT_EQ(asked, 1);  // nothing is asked while the pointer rests
   QEvent leave(QEvent::Leave);
