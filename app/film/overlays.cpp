@@ -50,7 +50,8 @@ std::vector<FilmMark> filmMarks(const std::vector<ui::Measure>& marks,
         {mark.places_mm,
          (value.isEmpty() ? words
                           : QCoreApplication::translate("app::Film", "%1: %2").arg(words, value))
-             .toStdString()});
+             .toStdString(),
+         ui::arcOf(mark)});
   }
   return shown;
 }
@@ -67,6 +68,9 @@ void addMarks(vtkRenderer& renderer, const std::vector<FilmMark>& marks) {
       if (mark.places_mm.size() > 1) lines->InsertCellPoint(point);
       dots->InsertNextCell(1, &point);
     }
+    if (!mark.arc_mm.empty()) lines->InsertNextCell(static_cast<vtkIdType>(mark.arc_mm.size()));
+    for (const haptics::Vec3& p : mark.arc_mm)
+      lines->InsertCellPoint(points->InsertNextPoint(p.data()));
     if (mark.words.empty() || mark.places_mm.empty()) continue;
     vtkNew<vtkBillboardTextActor3D> words;
     words->SetInput(mark.words.c_str());

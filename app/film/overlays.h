@@ -23,8 +23,9 @@ namespace app {
 
 /// A measure, mark or note that a film shows.
 struct FilmMark {
-  std::vector<haptics::Vec3> places_mm;  ///< W, joined by a line
-  std::string words;                     ///< beside the last place, UTF-8
+  std::vector<haptics::Vec3> places_mm;    ///< W, joined by a line
+  std::string words;                       ///< beside the last place, UTF-8
+  std::vector<haptics::Vec3> arc_mm = {};  ///< W, of an angle
 };
 
 /// What a film has of the view beside the recording: as the user saw it.

@@ -12,6 +12,7 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,7 @@ struct FilmStage::Layers {
   // the window last made is the first to go: the props' textures live in its context
   ui::VolumeProp surface;
   ui::ToolProp tool;
-  vtkNew<vtkTextActor> text;
+  vtkNew<vtkTextActor> text, note;
   vtkNew<vtkCamera> eye;
   vtkNew<ui::HeldPass> held;
   vtkNew<ui::VeilPass> veil;
@@ -147,6 +148,15 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   look->SetBackgroundOpacity(0.6);
   s.text->SetDisplayPosition(std::min(width, height) / 45, std::min(width, height) / 45);
   s.text->VisibilityOff();
+  s.note->SetInput(
+      QCoreApplication::translate("ui::Measures", "Not for treatment").toUtf8().constData());
+  s.note->GetTextProperty()->ShallowCopy(look);
+  s.note->GetTextProperty()->SetFontFamilyToArial();
+  s.note->GetTextProperty()->SetBold(0);
+  s.note->GetTextProperty()->SetFontSize(18);
+  s.note->GetTextProperty()->SetVerticalJustificationToTop();
+  s.note->SetDisplayPosition(std::min(width, height) / 45, height - std::min(width, height) / 45);
+  s.overlay_layer->AddActor2D(s.note);
   s.placeProxy();
 
   s.window->Render();
@@ -245,7 +255,6 @@ void FilmStage::placeSurface(double isovalue) {
     } catch (const std::bad_alloc&) {  // then the reduced mesh stays
     }
   }
-  s.letters->place(s.surface.bounds_mm());
 }
 
 void FilmStage::placeClippingPlanes(const haptics::Step& step) {
@@ -265,7 +274,7 @@ void FilmStage::placeClippingPlanes(const haptics::Step& step) {
   if (box.isEmpty()) box.extend(Vec3::Zero().eval());
   const Vec3 away = (s.camera.focus_mm - s.camera.position_mm).normalized();
   const double middle = away.dot(box.center() - s.camera.position_mm);
-  const double reach = 0.65 * box.diagonal().norm() + 1.0;  // letters stand a little outside
+  const double reach = 0.65 * box.diagonal().norm() + 1.0;
   // in steps of a factor: a tool that moves must not move the planes that the kept surface was
   // drawn between
   const double far_mm = std::exp2(std::ceil(std::log2(std::max(middle + reach, 1.0))));
@@ -285,7 +294,11 @@ const FilmFrame& FilmStage::draw(const haptics::Step& step) {
   s.tool.device()->SetVisibility(s.has_tool && poses);
   if (poses) s.tool.move(step.X_WP, step.X_WD);
   s.surface.update();
-  s.letters->face((s.camera.position_mm - s.camera.focus_mm).normalized());
+  Eigen::Matrix3d axes;  // right, up, towards the viewer
+  axes.col(2) = (s.camera.position_mm - s.camera.focus_mm).normalized();
+  axes.col(0) = s.camera.up.cross(axes.col(2)).normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0));
+  s.letters->show(axes, s.window->GetSize()[0], s.window->GetSize()[1]);
   placeClippingPlanes(step);
   s.window->Render();
 

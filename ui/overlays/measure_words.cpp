@@ -109,6 +109,22 @@ double angleOf_deg(const Measure& measure) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegPerRad;
 }
 
+std::vector<Eigen::Vector3d> arcOf(const Measure& measure) {
+  constexpr int kSteps = 16;
+  if (measure.kind != MeasureKind::Angle || measure.places_mm.size() != 3) return {};
+  const Eigen::Vector3d corner = measure.places_mm[1];
+  const Eigen::Vector3d a = measure.places_mm[0] - corner, b = measure.places_mm[2] - corner;
+  const Eigen::Vector3d about = a.cross(b);
+  if (!(about.norm() > 1e-9)) return {};
+  const double radius = 0.3 * std::min(a.norm(), b.norm());
+  const double angle = std::atan2(about.norm(), a.dot(b));
+  std::vector<Eigen::Vector3d> arc;
+  for (int s = 0; s <= kSteps; ++s)
+    arc.push_back(corner + Eigen::AngleAxisd(angle * s / kSteps, about.normalized()) *
+                               (a.normalized() * radius));
+  return arc;
+}
+
 QString valueOf(const Measure& measure, const MeasuredScan& scan) {
   if (measure.places_mm.size() != placesOf(measure.kind)) return {};
   switch (measure.kind) {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "haptics/core/volume.h"
 #include "ui/overlays/measure.h"
@@ -43,6 +44,8 @@ QString valueOf(const Measure& measure, const MeasuredScan& scan);
 double distanceOf_mm(const Measure& measure);
 /// Degrees at the second place; NaN if a leg has no length.
 double angleOf_deg(const Measure& measure);
+/// The arc of an angle: places of W between its legs, mm; empty: no arc.
+std::vector<Eigen::Vector3d> arcOf(const Measure& measure);
 
 /// "Distance", …
 QString nameOf(MeasureKind kind);

@@ -144,22 +144,6 @@ QRectF seenPart(const ViewGeometry& view) {
   return view.isSlice() ? view.room() : QRectF(view.widget().rect());
 }
 
-/// The corner of an angle: places of W between its legs.
-std::vector<Eigen::Vector3d> arcOf(const Measure& measure) {
-  constexpr int kSteps = 16;
-  const Eigen::Vector3d corner = measure.places_mm[1];
-  const Eigen::Vector3d a = measure.places_mm[0] - corner, b = measure.places_mm[2] - corner;
-  const Eigen::Vector3d about = a.cross(b);
-  if (!(about.norm() > 1e-9)) return {};
-  const double radius = 0.3 * std::min(a.norm(), b.norm());
-  const double angle = std::atan2(about.norm(), a.dot(b));
-  std::vector<Eigen::Vector3d> arc;
-  for (int s = 0; s <= kSteps; ++s)
-    arc.push_back(corner + Eigen::AngleAxisd(angle * s / kSteps, about.normalized()) *
-                               (a.normalized() * radius));
-  return arc;
-}
-
 }  // namespace
 
 Measures::Measures(QObject* parent) : Overlay(parent) {
@@ -350,7 +334,7 @@ void Measures::paintMeasure(QPainter& painter, const ViewGeometry& view, const M
   const QColor ink = chosen ? kChosenMeasure : kMeasure;
   if (!whole && next_mm_) drawn.line << view.projected(*next_mm_);
   if (drawn.line.size() > 1) drawLine(painter, drawn.line, ink, chosen ? 2.2 : 1.6, drawn.dashed);
-  if (whole && measure.kind == MeasureKind::Angle) {
+  if (whole) {
     QPolygonF arc;
     for (const Eigen::Vector3d& p : arcOf(measure)) arc << view.projected(p);
     if (!arc.isEmpty()) drawLine(painter, arc, ink, 1.2, drawn.dashed);

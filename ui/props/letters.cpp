@@ -1,63 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/props/letters.h"
 
-#include <vtkBillboardTextActor3D.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
-#include <cmath>
+#include <algorithm>
 
+#include "ui/props/orientation.h"
 #include "ui/style/scene_colours.h"
 
 namespace ui {
-namespace {
-
-constexpr char kLetters[] = "LRPASI";  // towards +x, -x, +y, -y, +z, -z of patient LPS
-
-}  // namespace
 
 Letters::Letters(vtkRenderer* renderer) {
-  for (std::size_t i = 0; i < actors_.size(); ++i) {
-    auto actor = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-    const char text[2] = {kLetters[i], '\0'};
-    actor->SetInput(text);
-    vtkTextProperty* look = actor->GetTextProperty();
+  for (std::size_t n = 0; n < actors_.size(); ++n) {
+    actors_[n] = vtkSmartPointer<vtkTextActor>::New();
+    vtkTextProperty* look = actors_[n]->GetTextProperty();
     look->SetFontSize(22);
     look->SetBold(1);
     look->SetColor(style::kFilmLetter[0], style::kFilmLetter[1], style::kFilmLetter[2]);
+    const QColor& ground = style::kViewGround;
+    look->SetBackgroundColor(ground.redF(), ground.greenF(), ground.blueF());
+    look->SetBackgroundOpacity(1.0);
     look->SetJustificationToCentered();
     look->SetVerticalJustificationToCentered();
-    actor->VisibilityOff();
-    renderer->AddActor(actor);
-    actors_[i] = actor;
+    if (n == 0) look->SetJustificationToLeft();
+    if (n == 1) look->SetJustificationToRight();
+    if (n == 2) look->SetVerticalJustificationToTop();
+    if (n == 3) look->SetVerticalJustificationToBottom();
+    renderer->AddActor2D(actors_[n]);
   }
+  setVisible(false);
 }
 
 Letters::~Letters() = default;
 
-void Letters::place(const Eigen::AlignedBox3d& box_mm) {
-  const Eigen::Vector3d centre = box_mm.center();
-  const double room = 0.06 * box_mm.diagonal().norm();
-  for (std::size_t i = 0; i < actors_.size(); ++i) {
-    const auto axis = static_cast<Eigen::Index>(i / 2);
-    const double side = i % 2 == 0 ? 1.0 : -1.0;
-    Eigen::Vector3d p = centre;
-    p[axis] += side * (0.5 * box_mm.sizes()[axis] + room);
-    actors_[i]->SetPosition(p.data());
-  }
+void Letters::setVisible(bool visible) {
+  for (const auto& actor : actors_) actor->SetVisibility(visible);
 }
 
-void Letters::face(const Eigen::Vector3d& view_direction) {
-  for (std::size_t i = 0; i < actors_.size(); ++i) {
-    const double along = std::abs(view_direction[static_cast<Eigen::Index>(i / 2)]);
-    actors_[i]->SetVisibility(visible_ && along < 0.93);
-  }
-}
-
-Eigen::Vector3d Letters::positionOf(char letter) const {
-  for (std::size_t i = 0; i < actors_.size(); ++i)
-    if (kLetters[i] == letter) return Eigen::Vector3d{actors_[i]->GetPosition()};
-  return Eigen::Vector3d::Zero();
+void Letters::show(const Eigen::Matrix3d& axes, int width, int height) {
+  const std::array<QString, 4> letters = edgeLettersOf(axes);
+  const int margin = std::min(width, height) / 45;
+  for (std::size_t n = 0; n < letters.size(); ++n)
+    actors_[n]->SetInput(letters[n].toUtf8().constData());
+  actors_[0]->SetDisplayPosition(margin, height / 2);
+  actors_[1]->SetDisplayPosition(width - margin, height / 2);
+  actors_[2]->SetDisplayPosition(width / 2, height - margin);
+  actors_[3]->SetDisplayPosition(width / 2, margin);
 }
 
 }  // namespace ui

@@ -3,31 +3,26 @@
 
 #include <vtkSmartPointer.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <array>
 
-class vtkBillboardTextActor3D;
 class vtkRenderer;
+class vtkTextActor;
 
 namespace ui {
 
-/// L R A P S I about the volume in the 3-D view; they always face the viewer.
+/// The sides of the patient at the edges of a film's picture, on plates.
 class Letters {
  public:
   explicit Letters(vtkRenderer* renderer);
   ~Letters();
 
-  /// Places the letters around a box in W, mm.
-  void place(const Eigen::AlignedBox3d& box_mm);
-  void setVisible(bool visible) { visible_ = visible; }
-  /// Shows the letters beside the volume, and hides those in front of it or behind it.
-  void face(const Eigen::Vector3d& view_direction);
-  /// Position of a letter in W, mm.
-  Eigen::Vector3d positionOf(char letter) const;
+  void setVisible(bool visible);
+  /// `axes` of the picture, as edgeLettersOf() takes them; size in pixels.
+  void show(const Eigen::Matrix3d& axes, int width, int height);
 
  private:
-  std::array<vtkSmartPointer<vtkBillboardTextActor3D>, 6> actors_;
-  bool visible_ = false;
+  std::array<vtkSmartPointer<vtkTextActor>, 4> actors_;  ///< left, right, upper, lower
 };
 
 }  // namespace ui

@@ -372,6 +372,68 @@ TEST_F(Film, ShowsTheMarksAndTheSecondSurfaceOfTheView) {
   EXPECT_GT(brightness(opaque, beside), brightness(film, beside) + 60);
 }
 
+/// Whether a frame is darker than another about a place of W [m], and brighter: a plate and words.
+struct Written {
+  int darker = 0, brighter = 0;
+};
+Written writtenAbout(const app::FilmFrame& frame, const app::FilmFrame& bare,
+                     const std::array<double, 2>& at, int side) {
+  Written written;
+  for (int y = int(at[1]) - side; y <= int(at[1]) + side; ++y)
+    for (int x = int(at[0]) - side; x <= int(at[0]) + side; ++x) {
+      const auto sumOf = [&](const app::FilmFrame& of) {
+        const auto first = std::size_t(3 * ((kHeight - 1 - y) * kWidth + x));
+        return of.rgb[first] + of.rgb[first + 1] + of.rgb[first + 2];
+      };
+      written.darker += sumOf(frame) < sumOf(bare) / 2;
+      written.brighter += sumOf(frame) > sumOf(bare) + 60;
+    }
+  return written;
+}
+
+TEST_F(Film, LettersStandOnPlatesAtTheEdges) {
+  const auto known = ball();
+  auto unknown = std::make_shared<haptics::Volume>(*known);
+  unknown->orientation_known = false;
+  auto stage = app::FilmStage::open(kWidth, kHeight, {});
+  ASSERT_TRUE(stage) << sentence(stage.error());
+  FilmCamera near = front();
+  near.position_mm = {0.0, -30.0, 0.0};  // the ball fills the picture
+  (*stage)->look(near);
+  (*stage)->show(known);
+  const app::FilmFrame lettered = (*stage)->draw(stepAt(0));
+  (*stage)->show(unknown);
+  const app::FilmFrame bare = (*stage)->draw(stepAt(0));
+  for (const auto& edge : {std::array{11.0, 120.0}, {309.0, 120.0}, {160.0, 11.0}, {160.0, 229.0}})
+    EXPECT_GT(writtenAbout(lettered, bare, edge, 10).darker, 20) << edge[0] << ' ' << edge[1];
+  EXPECT_EQ(writtenAbout(lettered, bare, {160.0, 120.0}, 90).darker, 0);
+}
+
+TEST_F(Film, AnAngleHasItsArcAndEveryFilmSaysThatItIsNotForTreatment) {
+  const ui::Measure angle{
+      ui::MeasureKind::Angle, "", {{14.0, -20.0, 0.0}, {0.0, -20.0, 0.0}, {0.0, -20.0, 14.0}}};
+  const std::vector<app::FilmMark> marks = app::filmMarks({angle}, {});
+  ASSERT_EQ(marks.size(), 1U);
+  const double reach = 0.3 * 14.0 * std::sqrt(0.5);  // mm, of the arc's middle
+  const auto drawn = [&](app::FilmLook look) {
+    auto stage = app::FilmStage::open(kWidth, kHeight, {}, std::move(look));
+    EXPECT_TRUE(stage) << sentence(stage.error());
+    (*stage)->look(front());
+    return (*stage)->draw(stepAt(0));
+  };
+  const app::FilmFrame bare = drawn({}), marked = drawn({.marks = marks});
+  const auto arc = projected(front(), Vec3(reach, -20.0, reach) * 1e-3);
+  EXPECT_GT(writtenAbout(marked, bare, arc, 2).brighter, 4);
+  const auto inside = projected(front(), Vec3(0.5 * reach, -20.0, 0.5 * reach) * 1e-3);
+  EXPECT_EQ(writtenAbout(marked, bare, inside, 1).brighter, 0);
+  // words in the upper left corner
+  int bright = 0;
+  for (int y = kHeight - 20; y < kHeight; ++y)
+    for (int x = 0; x < kWidth / 2; ++x)
+      bright += bare.rgb[std::size_t(3 * (y * kWidth + x))] > 120;
+  EXPECT_GT(bright, 40);
+}
+
 TEST_F(Film, ShowsTheCurveOfTheForceAndLosesNoPeak) {
   Session session;
   session.step = [](std::int64_t n) {
