@@ -361,6 +361,7 @@ void Application::Parts::wireDevice() {
 }
 
 void Application::Parts::wireSessions() {
+  recording.setScans([this] { return namesOf(preferences.present().place_hashes); });
   connect(&recording, &RecordingController::openWanted, &replay, &ReplayController::open);
   connect(&recording, &RecordingController::exportWanted, &exporting,
           &ExportController::exportRecording);

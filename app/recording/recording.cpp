@@ -68,6 +68,14 @@ std::int64_t bytesInFile(const fs::path& path) {
   return error ? 0 : static_cast<std::int64_t>(size);
 }
 
+std::optional<VolumeHash> hashIn(Statement& row, int column) {
+  VolumeHash hash;
+  const auto bytes = row.blob(column);
+  if (bytes.size() != hash.size()) return {};
+  std::ranges::copy(bytes, hash.begin());
+  return hash;
+}
+
 }  // namespace
 
 haptics::Expected<Recording> Recording::open(const fs::path& path,
@@ -185,10 +193,7 @@ haptics::Expected<void> Recording::readScenes() {
     if (scenes_.size() == kMostScenes || bytes > kMostBytes) return damagedRecording();
     scene->id = static_cast<std::uint32_t>(rows.integer(0));
     scene->tool.name = rows.text(1);
-    if (const auto hash = rows.blob(4); hash.size() == VolumeHash{}.size()) {
-      scene->hash.emplace();
-      std::copy(hash.begin(), hash.end(), scene->hash->begin());
-    }
+    scene->hash = hashIn(rows, 4);
     scenes_.push_back(std::move(*scene));
   }
   if (at == Statement::Step::Failed) return damagedRecording();
@@ -255,8 +260,11 @@ haptics::Expected<RecordingSummary> summaryOf(const fs::path& path,
   if (steps.isNull(0)) return empty(path);
   summary.steps = steps.integer(0);
   summary.duration = (steps.real(2) - steps.real(1)) * 1e-9;
-  Statement tool = database->prepare("SELECT tool FROM scene ORDER BY id LIMIT 1");
-  if (tool.step() == Statement::Step::Row) summary.tool = tool.text(0);
+  Statement scene = database->prepare("SELECT tool, volume_hash FROM scene ORDER BY id LIMIT 1");
+  if (scene.step() == Statement::Step::Row) {
+    summary.tool = scene.text(0);
+    summary.scan = hashIn(scene, 1);
+  }
   summary.bytes = bytesInFile(path);
   return summary;
 }

@@ -96,6 +96,7 @@ struct RecordingSummary {
   double duration = 0.0;  ///< s
   std::string tool;       ///< tool of the first scene; empty: a tool from a file
   std::int64_t bytes = 0;
+  std::optional<VolumeHash> scan = {};  ///< of the first scene
 };
 
 /// Does not read the steps. Refuses like Recording::open.

@@ -2500,6 +2500,10 @@
         <source>(cannot be read)</source>
         <translation>(nicht lesbar)</translation>
     </message>
+    <message>
+        <source>another scan</source>
+        <translation>eine andere Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>app::ReplayController</name>

@@ -75,7 +75,7 @@ QTableWidgetItem* itemOf(const QString& text, const QString& tip) {
   return item;
 }
 
-/// A recording in three lines: label or name; date; what else is known.
+/// A recording in three lines: label or name; date and scan; what else is known.
 QString linesOf(const PastRecording& recording) {
   const QString first = recording.label.isEmpty()
                             ? recording.name
@@ -86,7 +86,8 @@ QString linesOf(const PastRecording& recording) {
   QStringList about{duration};
   if (!recording.tool.isEmpty()) about << recording.tool;
   about << sizeOf(recording.bytes);
-  const QString date = QLocale().toString(recording.changed, QLocale::ShortFormat);
+  QString date = QLocale().toString(recording.changed, QLocale::ShortFormat);
+  if (!recording.scan.isEmpty()) date += QStringLiteral(" · ") + recording.scan.simplified();
   return QStringList{first.simplified(), date, about.join(QStringLiteral(" · "))}.join('\n');
 }
 

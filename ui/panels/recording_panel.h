@@ -46,6 +46,7 @@ struct PastRecording {
   QString label = {};       ///< the user's own words, kept on this computer only
   QDateTime changed = {};   ///< last change of the file; a recording itself holds no date
   QList<float> curve = {};  ///< greatest force [N] in equal intervals; empty: not known yet
+  QString scan = {};        ///< of which scan; empty: not known. A recording itself holds no name
 };
 
 /// Records the session and sets marks in it, and lists earlier recordings, each with a label that

@@ -30,6 +30,14 @@ QStringList hashesOf(const QStringList& hashes, const QStringList& places) {
   return kept;
 }
 
+QHash<QString, QString> namesOf(const QStringList& hashes) {
+  QHash<QString, QString> names;
+  for (const QString& entry : hashes)  // of two places the newer
+    if (const QString hash = entry.section(' ', 0, 0); !names.contains(hash))
+      names[hash] = QFileInfo(entry.section(' ', 1)).fileName();
+  return names;
+}
+
 QString placeWith(const QStringList& hashes, const QString& hash) {
   for (const QString& entry : hashes)
     if (entry.section(' ', 0, 0) == hash) return entry.section(' ', 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QHash>
 #include <QString>
 #include <QStringList>
 
@@ -15,6 +16,8 @@ QStringList withPlace(QStringList places, const QString& place);
 /// alone.
 QStringList withHash(QStringList hashes, const QString& hash, const QString& place);
 QStringList hashesOf(const QStringList& hashes, const QStringList& places);
+/// The names of the places, without their folders, by hash.
+QHash<QString, QString> namesOf(const QStringList& hashes);
 /// The place with a hash; empty: there is none.
 QString placeWith(const QStringList& hashes, const QString& hash);
 

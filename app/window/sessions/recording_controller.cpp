@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/view_file/view_file.h"
 #include "app/window/scan/sentence.h"
 #include "app/window/scan/view_camera.h"
 
@@ -70,7 +71,25 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
     });
     if (!well) messages_.showMessage(what);
   });
+  connect(&shared.identity, &VolumeIdentity::sought, this, [this] {
+    if (!shared_.shown) return;
+    const auto hash = shared_.identity.of(shared_.shown->volume());
+    if (hash != on_view_) showRecordings();
+  });
   showRecordings();
+}
+
+void RecordingController::setScans(std::function<QHash<QString, QString>()> scans) {
+  scans_ = std::move(scans);
+  showRecordings();
+}
+
+QHash<QString, QString> RecordingController::scans() {
+  QHash<QString, QString> names = scans_ ? scans_() : QHash<QString, QString>{};
+  on_view_.reset();
+  if (shared_.shown) on_view_ = shared_.identity.of(shared_.shown->volume());
+  if (on_view_) names[QString::fromStdString(hexOf(*on_view_))] = shared_.shown->title;
+  return names;
 }
 
 void RecordingController::describeScene() {
@@ -87,9 +106,9 @@ void RecordingController::refresh() {
 void RecordingController::showRecordings(std::function<void()> then) {
   if (then) after_list_.push_back(std::move(then));
   lister_.start(
-      [recordings = recordings_, present = recording_.present()](
+      [recordings = recordings_, present = recording_.present(), scans = scans()](
           const background::Watch& watch) -> haptics::Expected<QList<ui::PastRecording>> {
-        return recordings.list(present, watch.cancel);
+        return recordings.list(present, watch.cancel, scans);
       },
       [this](haptics::Expected<QList<ui::PastRecording>> recordings) {
         finished_.clear();

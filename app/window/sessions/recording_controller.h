@@ -2,10 +2,12 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QHash>
 #include <QObject>
 #include <QString>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,8 @@ class RecordingController : public QObject {
 
   SessionRecording& recording() { return recording_; }
   const Recordings& recordings() const { return recordings_; }
+  /// Gives the names of scans by their hashes; the list then has them.
+  void setScans(std::function<QHash<QString, QString>()> scans);
   /// Recordings are in another folder from now on.
   void setFolder(std::filesystem::path folder);
   /// Describes a new scene to the recording, before the session adopts it.
@@ -57,6 +61,7 @@ class RecordingController : public QObject {
   void deleting(const std::filesystem::path& path);
 
  private:
+  QHash<QString, QString> scans();
   void record(bool record);
   void readCurves();
   void noteCamera();
@@ -75,6 +80,8 @@ class RecordingController : public QObject {
   background::Task<Deletion> deleter_;
   background::Task<QList<ui::PastRecording>> lister_;
   std::vector<std::function<void()>> after_list_;  ///< what waits for the list
+  std::function<QHash<QString, QString>()> scans_;
+  std::optional<VolumeHash> on_view_;  ///< of the scan on view when the list was made
   ForceCurves curves_;
   QList<QString> finished_;     ///< ids of the recordings in the list that have a curve
   QString unfinished_;          ///< name of the newest in the list that was not finished

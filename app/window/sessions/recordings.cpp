@@ -14,6 +14,7 @@
 
 #include "app/recording/recorder.h"
 #include "app/recording/recording.h"
+#include "app/view_file/view_file.h"
 #include "app/window/scan/loader.h"
 #include "haptics/process/input_file.h"
 
@@ -102,8 +103,8 @@ bool Recordings::setLabel(const QString& id, const QString& label) const {
   return file.commit();
 }
 
-QList<ui::PastRecording> Recordings::list(const fs::path& present,
-                                          const std::atomic<bool>& cancel) const {
+QList<ui::PastRecording> Recordings::list(const fs::path& present, const std::atomic<bool>& cancel,
+                                          const QHash<QString, QString>& scans) const {
   std::vector<fs::path> paths;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
@@ -137,6 +138,10 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present,
       recording.duration = summary->duration;
       recording.tool = labelOf({.name = summary->tool});
       recording.bytes = summary->bytes;
+      if (summary->scan)
+        recording.scan =
+            scans.value(QString::fromStdString(hexOf(*summary->scan)),
+                        QCoreApplication::translate("app::Recordings", "another scan"));
     } else {
       recording.tool = QCoreApplication::translate("app::Recordings", "(cannot be read)");
       recording.bytes = static_cast<qint64>(fs::file_size(path, error));

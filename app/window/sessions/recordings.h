@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QHash>
 #include <QJsonObject>
 #include <QList>
 #include <QString>
@@ -26,8 +27,10 @@ class Recordings {
   std::filesystem::path next() const;
   /// All recordings except `present`, which is being written; the newest first. On a thread of its
   /// own, with a copy: each file is opened, and may be anybody's. Ends early once `cancel` is true.
+  /// `scans`: the names of scans by their hashes, as hexOf() writes them.
   QList<ui::PastRecording> list(const std::filesystem::path& present,
-                                const std::atomic<bool>& cancel) const;
+                                const std::atomic<bool>& cancel,
+                                const QHash<QString, QString>& scans = {}) const;
   std::filesystem::path pathOf(const QString& id) const { return folder_ / id.toStdString(); }
   /// The label of a recording; an empty one is forgotten. False: it could not be kept.
   bool setLabel(const QString& id, const QString& label) const;

@@ -31,6 +31,8 @@
 #include "app/recording/database.h"
 #include "app/recording/recorder.h"
 #include "app/recording/replay.h"
+#include "app/view_file/view_file.h"
+#include "app/window/program/recent_places.h"
 #include "app/window/scan/loader.h"
 #include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/force_curve.h"
@@ -394,6 +396,40 @@ TEST(RecordedSession, APartThatCannotBeReadIsNamedWhereOneGoesToIt) {
   replay->seek(6.0);
   ASSERT_TRUE(waitFor([&] { return replay->step().step.time_ns == 6'000'000'000; }));
   EXPECT_EQ(failed.count(), 2);
+}
+
+TEST(RecordedSession, TheListNamesTheScanOfARecordingWhereItIsKnownHere) {
+  const QTemporaryDir folder;
+  const app::Recordings recordings(folder.path().toStdString());
+  const auto scene =
+      haptics::makeScene(window::volumeOf(window::cubeGrid(16), haptics::ScalarType::Int16,
+                                          window::ball(haptics::Vec3::Zero(), 0.005)),
+                         *haptics::makeTool("octahedron", window::octahedron(0.003)));
+  ASSERT_TRUE(scene);
+  app::VolumeHash hash{};
+  hash.back() = 7;
+  const fs::path path = recordings.next();
+  auto recorder = app::Recorder::create(path, {"test", "a build", "a machine"});
+  ASSERT_TRUE(recorder);
+  (*recorder)->describe(*scene, "");
+  (*recorder)->identify((*scene)->id, hash);
+  (*recorder)->ring().start({});
+  haptics::Step step;
+  ASSERT_TRUE((*recorder)->ring().push(step));
+  ASSERT_TRUE((*recorder)->finish());
+  const std::atomic<bool> goes_on = false;
+  const QStringList places{QString::fromStdString(app::hexOf(hash)) + " /a b/Erika.nrrd"};
+  const auto listed = [&](const QStringList& known) {
+    return recordings.list({}, goes_on, app::namesOf(known));
+  };
+  EXPECT_EQ(listed(places).value(0).scan, "Erika.nrrd");
+  EXPECT_EQ(listed({}).value(0).scan, "another scan");
+  ui::RecordingPanel panel;
+  panel.show(listed(places));
+  EXPECT_TRUE(panel.findChild<QTableWidget*>("recordings")->item(0, 0)->text().contains("Erika"));
+  QFile file(QString::fromStdString(path.string()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_FALSE(file.readAll().contains("Erika"));
 }
 
 TEST(RecordedSession, ALabelAndACurveStandInTheListAndInNoFileOfARecording) {
