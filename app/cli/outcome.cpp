@@ -34,16 +34,20 @@ Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
   if (error.reason == "cancelled") return stopped();
   Outcome outcome{Exit::Refused, std::move(known), {}, resources::sentence(error)};
   if (error.kind == haptics::Error::Kind::Correctable) outcome.error += " Add --correct for that.";
-  // what cannot be written is not the input's fault
-  if (error.reason == "unwritable") outcome.code = Exit::Failed;
+  // what cannot be written is not the input's fault; another scan is sound, but not the recorded
+  // one
+  const bool another = error.reason == "another-volume" || error.reason == "other-edits";
+  if (another || error.reason == "unwritable") outcome.code = Exit::Failed;
   // a name that does not exist, or a folder with several series and none named, is wrong usage
   if (error.reason == "which-series" || error.reason == "no-such-series" ||
       error.reason == "unknown-name")
     outcome.code = Exit::Usage;
   if (outcome.json.is_null()) outcome.json = nlohmann::ordered_json::object();
-  if (!error.reason.empty() && !outcome.json.contains("reasons") && outcome.code == Exit::Refused) {
-    outcome.json["verdict"] =
-        error.kind == haptics::Error::Kind::Correctable ? "correctable" : "refused";
+  if (!error.reason.empty() && !outcome.json.contains("reasons") &&
+      (outcome.code == Exit::Refused || another)) {
+    if (!another)
+      outcome.json["verdict"] =
+          error.kind == haptics::Error::Kind::Correctable ? "correctable" : "refused";
     outcome.json["reasons"] = {error.reason};
   }
   return outcome;

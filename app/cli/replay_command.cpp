@@ -8,7 +8,6 @@
 #include "app/cli/sources.h"
 #include "app/recording/facts.h"
 #include "app/recording/replay.h"
-#include "resources/messages/messages.h"
 
 namespace app::cli {
 namespace {
@@ -62,11 +61,6 @@ Outcome replay(const ReplayOptions& options) {
   };
   const auto difference = replay(*recording, sceneOf, [](double) { return !interrupted(); });
   if (!difference) return refused(difference.error());
-  if (failed && failed->reason == "other-edits") {
-    Outcome outcome = app::cli::failed(resources::sentence(*failed));
-    outcome.json["reasons"] = {failed->reason};
-    return outcome;
-  }
   if (failed) return refused(*failed);
 
   const RecordingFacts here = recordingFacts("palpate-cli");

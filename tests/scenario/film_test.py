@@ -157,7 +157,7 @@ def main():
                 (film, {**os.environ, "DISPLAY": ":65530"}, 4, "no-display"),
                 (film, {**os.environ, "MESA_GL_VERSION_OVERRIDE": "2.1",
                         "LIBGL_ALWAYS_SOFTWARE": "1"}, 4, "no-graphics"),
-                (["export", recording, "--format", "video", "--phantom", "torus"], None, 3, "another-volume"),
+                (["export", recording, "--format", "video", "--phantom", "torus"], None, 4, "another-volume"),
                 (["export", text, "--format", "video"], None, 3, "no-recording"),
                 (["export", work / "none.palpate", "--format", "video"], None, 3, "not-found"),
                 (film + ["--from", 5], None, 2, None),
