@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <string>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
@@ -15,7 +17,7 @@ namespace app::cli {
 namespace {
 
 struct ExportCommand {
-  std::string file, format, out;
+  std::string file, format, out, idle;
   exporting::ExportOptions options;
 #ifdef PALPATE_FILM
   FilmChoice film;
@@ -35,7 +37,23 @@ constexpr const char* kNoFilms =
     "Palpate with its window.";
 #endif
 
+/// Options of tables; the others but kOfAll are of films.
+constexpr std::array kOfTables{"--rate", "--no-contacts"};
+constexpr std::array kOfAll{"file", "--format", "--out", "--from", "--to", "--json"};
+
+/// The option that was given and says nothing about the format; empty: none.
+std::string idleOption(const CLI::App& command, bool film) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || std::ranges::count(kOfAll, name) > 0) continue;
+    if ((std::ranges::count(kOfTables, name) > 0) == film) return name;
+  }
+  return {};
+}
+
 Outcome run(ExportCommand command) {
+  if (!command.idle.empty())
+    return usage(command.idle + " does not go with --format " + command.format + ".");
   if (command.options.from > command.options.to) return usage("--from must not be after --to.");
 #ifdef PALPATE_FILM
   if (command.format == "video") {
@@ -106,7 +124,10 @@ void addExport(CLI::App& program, Chosen& chosen) {
 #ifdef PALPATE_FILM
   addFilmOptions(*command, options->film);
 #endif
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback([options, command, &chosen] {
+    options->idle = idleOption(*command, options->format == "video");
+    chosen = [options] { return run(*options); };
+  });
 }
 
 }  // namespace app::cli

@@ -161,6 +161,8 @@ def main():
                 (["export", text, "--format", "video"], None, 3, "no-recording"),
                 (["export", work / "none.palpate", "--format", "video"], None, 3, "not-found"),
                 (film + ["--from", 5], None, 2, None),
+                (film + ["--rate", 10], None, 2, None),
+                (["export", recording, "--format", "csv", "--size", "640x360"], None, 2, None),
                 (film[:4] + ["--size", "640"], None, 2, None),
                 (film[:4] + ["--size", "641x360"], None, 2, None),
                 (film[:4] + ["--size", "-2x99999999999"], None, 2, None),
