@@ -1893,10 +1893,6 @@
         <translation>Dieses Stück: %1.</translation>
     </message>
     <message>
-        <source>Millimetres along the patient&apos;s axes, from the scan&apos;s origin</source>
-        <translation>Millimeter entlang der Achsen des Patienten, vom Ursprung der Aufnahme</translation>
-    </message>
-    <message>
         <source>Millimetres along the scan&apos;s own axes, from its first voxel</source>
         <translation>Millimeter entlang der Achsen der Aufnahme, von ihrem ersten Voxel</translation>
     </message>
@@ -1927,14 +1923,6 @@
     <message>
         <source>&quot;%1&quot; belongs to the scan that is open, and is not written over; choose another name.</source>
         <translation>„%1“ gehört zur geöffneten Aufnahme und wird nicht überschrieben; wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>%1 from</source>
-        <translation>%1 von</translation>
-    </message>
-    <message>
-        <source>to</source>
-        <translation>bis</translation>
     </message>
     <message>
         <source>Remove parts</source>
@@ -1983,6 +1971,10 @@
     <message>
         <source>Lift the handle of the device.</source>
         <translation>Heben Sie den Griff des Geräts an.</translation>
+    </message>
+    <message>
+        <source>LPS, millimetres from the scan&apos;s origin</source>
+        <translation>LPS, Millimeter vom Ursprung der Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -3521,16 +3513,8 @@
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>from</source>
-        <translation>von</translation>
-    </message>
-    <message>
         <source>to</source>
         <translation>bis</translation>
-    </message>
-    <message>
-        <source>Face %1 of the box</source>
-        <translation>Seite %1 der Box</translation>
     </message>
     <message>
         <source>One place is set: click two more.</source>
@@ -3623,6 +3607,18 @@
     <message>
         <source>This piece goes: it is hatched.</source>
         <translation>Dieses Stück wird entfernt: es ist schraffiert.</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 von</translation>
+    </message>
+    <message>
+        <source>Box, %1 from</source>
+        <translation>Box, %1 von</translation>
+    </message>
+    <message>
+        <source>Box, %1 to</source>
+        <translation>Box, %1 bis</translation>
     </message>
 </context>
 <context>

@@ -6,19 +6,8 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QRegularExpression>
-#include <algorithm>
-#include <cmath>
 
 namespace ui {
-namespace {
-
-bool isZero(const QString& text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](QChar c) { return c == '0' || c == '.' || c == ','; });
-}
-
-}  // namespace
-
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
   // wheel and arrow keys change it; buttons of some pixels would be hard to hit
   setButtonSymbols(QAbstractSpinBox::NoButtons);
@@ -36,17 +25,6 @@ std::optional<double> NumberBox::numberIn(QString text) const {
   // twice where a number was pasted with its unit before the field's own
   while (!suffix().isEmpty() && text.endsWith(suffix())) text.chop(suffix().size());
   text = text.trimmed();
-  if (!negative_.isEmpty()) {
-    const bool to_negative = text.startsWith(negative_, Qt::CaseInsensitive);
-    if (to_negative || text.startsWith(positive_, Qt::CaseInsensitive)) {
-      text = text.mid((to_negative ? negative_ : positive_).size()).trimmed();
-      if (!text.isEmpty() && !text.front().isDigit() && text.front() != '.' && text.front() != ',')
-        return {};  // a letter and a sign
-      if (to_negative) text.prepend('-');
-    } else if (!text.isEmpty() && text.front().isDigit() && !isZero(text)) {
-      return {};  // of which side?
-    }
-  }
   static const QRegularExpression number(QStringLiteral("^([+-]?)([0-9]*)(?:[.,]([0-9]*))?$"));
   const QRegularExpressionMatch match = number.match(text.replace(QChar(0x2212), '-'));
   const QString whole = match.captured(2), fraction = match.captured(3);
@@ -69,18 +47,9 @@ double NumberBox::valueFromText(const QString& text) const {
 }
 
 QString NumberBox::textFromValue(double value) const {
-  const bool sided = !negative_.isEmpty();
-  QString text = QString::number(sided ? std::abs(value) : value, 'f', decimals());
-  if (sided) text.prepend((value < 0.0 ? negative_ : positive_) + ' ');
+  QString text = QString::number(value, 'f', decimals());
   if (locale().decimalPoint() == QLatin1String(",")) text.replace('.', ',');
   return text;
-}
-
-void NumberBox::setSides(const QString& negative, const QString& positive) {
-  if (negative == negative_ && positive == positive_) return;
-  negative_ = negative;
-  positive_ = positive;
-  lineEdit()->setText(prefix() + textFromValue(value()) + suffix());
 }
 
 void NumberBox::stepBy(int steps) {

@@ -23,10 +23,6 @@ class NumberBox : public QDoubleSpinBox {
   /// What arrows and wheel add while Shift is held, in place of singleStep().
   void setFineStep(double step) { fine_step_ = step; }
 
-  /// Shows the sign as a letter before the number: "R 12.0" for -12, "L 12.0" for 12. A number is
-  /// then typed with its letter or its sign; one with neither is refused. Empty: with its sign.
-  void setSides(const QString& negative, const QString& positive);
-
   void stepBy(int steps) override;
 
   QValidator::State validate(QString& text, int& position) const override;
@@ -47,7 +43,6 @@ class NumberBox : public QDoubleSpinBox {
   std::optional<double> numberIn(QString text) const;
 
   std::optional<double> fine_step_;
-  QString negative_, positive_;  ///< letters of the sides
 };
 
 }  // namespace ui

@@ -383,15 +383,12 @@ void EditPanel::show(const std::array<CropRange, 3>& ranges, const QString& axes
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t side = 0; side < 2; ++side) {
       const CropRange& range = ranges[a];
-      const QString& name = side == 0 ? range.low : range.high;
       NumberBox& number = *crop_numbers_[a][side];
       const QSignalBlocker quiet(number);
-      const QString between = side == 0 ? tr("from") : tr("to");
-      crop_names_[a][side]->setText(range.negative.isEmpty() ? name : between);
-      number.setAccessibleName(tr("Face %1 of the box").arg(name));
+      crop_names_[a][side]->setText(side == 0 ? tr("%1 from").arg(range.axis) : tr("to"));
+      number.setAccessibleName((side == 0 ? tr("Box, %1 from") : tr("Box, %1 to")).arg(range.axis));
       number.setRange(range.least, range.most);
       number.setSingleStep(range.step);
-      number.setSides(range.negative, range.positive);
       number.setValue(side == 0 ? range.from : range.to);
     }
 }

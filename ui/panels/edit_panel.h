@@ -24,9 +24,7 @@ enum class EditTool { None, Crop, Plane, Pieces, Holder, Scalpel };
 
 /// The crop along one axis of the grid, as numbers.
 struct CropRange {
-  QString low, high;  ///< names of the two faces: "R", "L", or "i from", "to"
-  /// The patient's sides towards which numbers are below and above 0; empty: numbers have signs.
-  QString negative = {}, positive = {};
+  QString axis = {};                           ///< "x" of LPS, or "i" of the grid
   double least = 0.0, most = 1.0, step = 1.0;  ///< mm
   double from = 0.0, to = 1.0;                 ///< mm
 };

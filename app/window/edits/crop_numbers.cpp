@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/edits/crop_numbers.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,16 +13,11 @@ namespace {
 using ui::kMmPerM;
 
 constexpr double kAligned = 1.0 - 1e-6;  // cosine between an axis of the grid and one of W
-constexpr std::array<const char*, 3> kLowLetters{"R", "A", "I"}, kHighLetters{"L", "P", "S"};
-
-QString cropWords(const char* text) {
-  return QCoreApplication::translate("app::EditController", text);
-}
 
 /// How the edges of voxels along an axis of the grid are told in mm: in W if the axis is one of
 /// W's, else along the grid from its outer face.
 struct AxisNumbers {
-  int letters = -1;  ///< axis of W; below 0: none
+  int along = -1;  ///< axis of W; below 0: none
   double at_first_mm = 0.0, per_voxel_mm = 1.0;
 
   double mmOf(std::int64_t edge) const {
@@ -40,7 +34,7 @@ AxisNumbers numbersOf(const haptics::Volume& volume, int axis) {
   grid.direction.col(axis).cwiseAbs().maxCoeff(&along);
   const double cosine = grid.direction(along, axis);
   if (std::abs(cosine) < kAligned) return numbers;
-  numbers.letters = along;
+  numbers.along = along;
   numbers.per_voxel_mm *= cosine > 0.0 ? 1.0 : -1.0;
   haptics::Vec3 edge = haptics::Vec3::Zero();
   edge[axis] = -0.5;
@@ -51,32 +45,26 @@ AxisNumbers numbersOf(const haptics::Volume& volume, int axis) {
 }  // namespace
 
 bool cropsAlongPatient(const haptics::Volume& volume) {
-  return numbersOf(volume, 0).letters >= 0 && numbersOf(volume, 1).letters >= 0 &&
-         numbersOf(volume, 2).letters >= 0;
+  return numbersOf(volume, 0).along >= 0 && numbersOf(volume, 1).along >= 0 &&
+         numbersOf(volume, 2).along >= 0;
 }
 
 std::array<ui::CropRange, 3> cropRangesOf(const haptics::Volume& volume,
                                           const haptics::VoxelBox& box) {
-  const bool letters = cropsAlongPatient(volume);
+  const bool in_w = cropsAlongPatient(volume);
   std::array<ui::CropRange, 3> ranges;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     AxisNumbers numbers = numbersOf(volume, axis);
-    if (!letters) numbers = {.per_voxel_mm = volume.grid.spacing[axis] * kMmPerM};
+    if (!in_w) numbers = {.per_voxel_mm = volume.grid.spacing[axis] * kMmPerM};
     const auto [least, most] = std::minmax({numbers.mmOf(0), numbers.mmOf(volume.grid.dims[a])});
     const auto [from, to] = std::minmax({numbers.mmOf(box.first[a]), numbers.mmOf(box.end[a])});
-    const QString axis_name(QChar('i' + axis));
-    ranges[a] = {
-        .low = letters ? kLowLetters[static_cast<std::size_t>(numbers.letters)]
-                       : cropWords("%1 from").arg(axis_name),
-        .high = letters ? kHighLetters[static_cast<std::size_t>(numbers.letters)] : cropWords("to"),
-        .negative = letters ? kLowLetters[static_cast<std::size_t>(numbers.letters)] : "",
-        .positive = letters ? kHighLetters[static_cast<std::size_t>(numbers.letters)] : "",
-        .least = least,
-        .most = most,
-        .step = std::abs(numbers.per_voxel_mm),
-        .from = from,
-        .to = to};
+    ranges[a] = {.axis = QChar(in_w ? 'x' + numbers.along : 'i' + axis),
+                 .least = least,
+                 .most = most,
+                 .step = std::abs(numbers.per_voxel_mm),
+                 .from = from,
+                 .to = to};
   }
   return ranges;
 }

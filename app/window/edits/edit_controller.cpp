@@ -298,7 +298,7 @@ void EditController::showCrop() {
   const haptics::Volume& volume = *shared_.shown->volume();
   panel_->show(cropRangesOf(volume, crop_.box()),
                cropsAlongPatient(volume)
-                   ? tr("Millimetres along the patient's axes, from the scan's origin")
+                   ? tr("LPS, millimetres from the scan's origin")
                    : tr("Millimetres along the scan's own axes, from its first voxel"));
 }
 

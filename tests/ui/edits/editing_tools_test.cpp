@@ -533,25 +533,19 @@ TEST_F(Editing, PiecesAreChosenAndTheScalpelIsLedByKeys) {
   EXPECT_EQ(hints(), before);
 }
 
-TEST_F(Editing, NumbersOfTheCropBoxNameTheSideAsSlicesDo) {
+TEST_F(Editing, NumbersOfTheCropBoxAreThoseOfPlacesElsewhere) {
   openBalls();
   click("cropTool");
   auto& low = child<ui::NumberBox>("crop0Low");
   auto& high = child<ui::NumberBox>("crop0High");
-  EXPECT_EQ(low.text(), "R 32.0 mm");
-  EXPECT_EQ(high.text(), "L 32.0 mm");
-  type("crop0High", "R 10");
+  EXPECT_EQ(low.text(), "-32.0 mm");
+  EXPECT_EQ(high.text(), "32.0 mm");
+  EXPECT_EQ(low.accessibleName(), "Box, x from");
+  EXPECT_TRUE(child<QLabel>("cropAxes").text().startsWith("LPS"));
+  type("crop0High", "-10");
+  EXPECT_EQ(high.text(), "-10.0 mm");
+  type("crop0High", "R 12");  // refused
   EXPECT_EQ(high.value(), -10.0);
-  EXPECT_EQ(high.text(), "R 10.0 mm");
-  type("crop0High", "l 12");
-  EXPECT_EQ(high.value(), 12.0);
-  // which side is not told: refused
-  type("crop0High", "11");
-  EXPECT_EQ(high.value(), 12.0);
-  EXPECT_EQ(high.text(), "L 12.0 mm");
-  type("crop0High", "-11");
-  EXPECT_EQ(high.text(), "R 11.0 mm");
-  keepWindow("edit_sides");
 }
 
 TEST_F(Editing, NothingInThePanelIsCutAtItsSide) {
