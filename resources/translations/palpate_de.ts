@@ -4581,10 +4581,6 @@
         <translation>Zahlen der Regelschleife: Rate, Zeit eines Takts, verspätete Takte</translation>
     </message>
     <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
         <source>%1 (edited)</source>
         <translation>%1 (bearbeitet)</translation>
     </message>

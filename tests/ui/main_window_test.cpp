@@ -38,6 +38,7 @@
 #include "ui/controls/section.h"
 #include "ui/controls/state_chip.h"
 #include "ui/panels/isosurface_panel.h"
+#include "ui/panels/status_line.h"
 #include "ui/style/style.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/loading.h"
@@ -440,6 +441,30 @@ TEST(MainWindow, TheStateOfTheForceHasTheDeviceAndItsRateBesideIt) {
   window::showAndWait(window, {1280, 800});
   EXPECT_GE(chip.width(), chip.sizeHint().width());
   window::keep(window::pictureOf(window), "force_chip");
+}
+
+TEST(MainWindow, TheLineOfTheScanShortensItsNameInTheMiddle) {
+  ui::ScanLine line;
+  const QString name = "Temporal_bone_of_a_long_study_left_0.2mm.nrrd";
+  line.setScan(name, "10 × 10 × 10 voxels");
+  const auto seenIn = [&](int width) {
+    line.resize(width, 20);
+    return line.seen();
+  };
+  EXPECT_EQ(seenIn(2000), name + " · 10 × 10 × 10 voxels");
+  for (const int width : {300, 60}) {
+    const QString seen = seenIn(width);
+    EXPECT_LE(line.fontMetrics().horizontalAdvance(seen), width);
+    EXPECT_TRUE(seen.startsWith("T")) << seen.toStdString();
+    EXPECT_EQ(seen.contains("voxels"), width == 300) << seen.toStdString();
+    EXPECT_TRUE(seen.contains(QChar(0x2026)));
+  }
+  EXPECT_TRUE(line.toolTip().contains(name));
+  // drawn as it is said
+  line.resize(300, 20);
+  const QImage image = line.grab().toImage();
+  line.setScan(line.seen().section(" · ", 0, 0), "10 × 10 × 10 voxels");
+  EXPECT_EQ(line.grab().toImage(), image);
 }
 
 TEST(MainWindow, TheMeansOfDrawingTheSurfaceIsMarked) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/panels/status_line.h"
 
+#include <QPainter>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
 
@@ -72,6 +74,34 @@ void StatusLine::setSurface(const SurfaceChoice& choice) {
   const QString means = choice.mode == SurfaceMode::RayCast ? tr("ray casting") : tr("mesh");
   surface_ = tr("Surface: %1 (%2)").arg(means, choice.reason);
   compose();
+}
+
+ScanLine::ScanLine(QWidget* parent) : QLabel(parent) {
+  setObjectName("scanLine");
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+void ScanLine::setScan(const QString& name, const QString& size) {
+  name_ = name;
+  size_ = QStringLiteral(" · ") + size;
+  setText(name_ + size_);
+  setToolTip(text().toHtmlEscaped());
+}
+
+QString ScanLine::seen() const {
+  constexpr int kLeastName = 8;  // characters, of which one is left beside a size
+  const QFontMetrics metrics = fontMetrics();
+  const int room = contentsRect().width() - metrics.horizontalAdvance(size_);
+  const bool both =
+      room >= std::min(metrics.horizontalAdvance(name_), kLeastName * metrics.averageCharWidth());
+  return metrics.elidedText(name_, Qt::ElideMiddle, both ? room : contentsRect().width()) +
+         (both ? size_ : QString());
+}
+
+void ScanLine::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  style()->drawItemText(&painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(),
+                        isEnabled(), seen(), foregroundRole());
 }
 
 void StatusLine::compose() {

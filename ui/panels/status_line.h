@@ -29,4 +29,20 @@ class StatusLine : public QLabel {
   int loop_ms_ = 0;  ///< until the next change of the servo loop's figures
 };
 
+/// The scan on view: its name, shortened in the middle where there is no room, and its size.
+class ScanLine : public QLabel {
+ public:
+  explicit ScanLine(QWidget* parent = nullptr);
+
+  void setScan(const QString& name, const QString& size);
+  /// What there is room for.
+  QString seen() const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString name_, size_;
+};
+
 }  // namespace ui

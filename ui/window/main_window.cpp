@@ -76,7 +76,7 @@ MainWindow::MainWindow(QWidget* parent)
       menus_(new Menus(*this, *bar_, *views_)),
       panels_(new SidePanel(menus_->view())),
       splitter_(new QSplitter),
-      scan_line_(new QLabel),
+      scan_line_(new ScanLine),
       graphics_(new QLabel),
       details_(new QToolButton),
       tour_(new Tour(*this)),
@@ -229,12 +229,11 @@ bool MainWindow::focusNextPrevChild(bool next) {
 
 void MainWindow::buildStatusBar() {
   auto* notice = new QLabel(tr("Not a medical device. Not for treatment."));
-  for (QLabel* label : {notice, scan_line_, graphics_, static_cast<QLabel*>(status_)})
+  for (QLabel* label :
+       {notice, static_cast<QLabel*>(scan_line_), graphics_, static_cast<QLabel*>(status_)})
     style::setDim(*label);
   notice->setContentsMargins(style::kGap, 0, style::kGap, 0);
   graphics_->setContentsMargins(0, 0, style::kGap, 0);
-  scan_line_->setObjectName("scanLine");
-  scan_line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   status_->hide();
   details_->setObjectName("details");
   details_->setText(tr("Details"));
@@ -263,7 +262,7 @@ void MainWindow::show(const Picture& picture, double isovalue, const QString& ti
   views_->show(picture, isovalue, stated);
   title_ = title;
   edited_ = false;
-  scan_line_->setText(tr("%1 · %2").arg(title, sizeWords(*picture.volume)));
+  scan_line_->setScan(title, sizeWords(*picture.volume));
   showTitle();
 }
 

@@ -23,6 +23,7 @@ class Menus;
 class Messages;
 class ReplayBar;
 class StartPage;
+class ScanLine;
 class StatusLine;
 class TopBar;
 class TouchState;
@@ -121,7 +122,7 @@ class MainWindow : public QMainWindow {
   Menus* menus_;
   SidePanel* panels_;
   QSplitter* splitter_;
-  QLabel* scan_line_;
+  ScanLine* scan_line_;
   QLabel* graphics_;
   QToolButton* details_;
   Tour* tour_;
