@@ -45,6 +45,7 @@ constexpr int kFrame = 40;  // px that a desktop takes for the title of a window
 constexpr int kTopOfView = 36;  // a letter and a button
 constexpr int kCube = 100;      // the cube, at the right
 constexpr int kBelowCube = 108;
+constexpr int kLowView = 350;  // below that handles of marks may be anywhere beside it
 
 QString sizeWords(const haptics::Volume& volume) {
   const auto& dims = volume.grid.dims;
@@ -299,7 +300,8 @@ void MainWindow::addOverView(Banner& banner) {
 }
 
 /// Over the upper third of the 3-D view: beside its cube, or below it where it is narrow. Without
-/// room for that an offer stands above the views; why there is no force never moves them.
+/// room for that they stand above the views; why there is no force moves them only where the view
+/// is low.
 void MainWindow::placeOverView() {
   const QWidget& volume = views_->volume();
   QList<QRect> covered;
@@ -309,30 +311,22 @@ void MainWindow::placeOverView() {
     const auto holds = [&](int width, bool stacked) {
       return volume.isVisibleTo(this) && banner->leastWidth(stacked) <= width;
     };
-    const QWidget* view = &volume;
-    int width = volume.width() - kCube;
-    bool stacked = !holds(width, false);
-    if (stacked && !holds(width, true)) {
-      if (holds(volume.width(), true)) {
-        width = volume.width();
-        top = std::max(top, kBelowCube);
-      } else {
-        view = &views_->layout();
-        width = view->width() - kCube;
-        stacked = false;
-      }
-    }
+    const bool beside = holds(volume.width() - kCube, true);
+    const bool stacked = !holds(volume.width() - kCube, false);
+    int width = beside ? volume.width() - kCube : volume.width();
+    const int from = beside ? top : std::max(top, kBelowCube);
     const int height = banner->heightIf(stacked, width);
-    const bool above =
-        banner != stopped_ && (view != &volume || top + height > volume.height() / 3);
+    const bool low =
+        banner == stopped_ ? volume.height() < kLowView : from + height > volume.height() / 3;
+    const bool above = low || !holds(width, true);
     banner->setStacked(stacked && !above);
-    QRect place(view->mapTo(banner->parentWidget(), QPoint{0, top}), QSize(width, height));
+    QRect place(volume.mapTo(banner->parentWidget(), QPoint{0, from}), QSize(width, height));
     if (above) {
       width = above_->width();
       place = QRect(0, height_above, width, banner->heightIf(false, width));
       height_above += place.height();
     } else {
-      top += place.height() + style::kStep;
+      top = from + place.height() + style::kStep;
       covered << QRect(volume.mapFrom(this, banner->parentWidget()->mapTo(this, place.topLeft())),
                        place.size());
     }
