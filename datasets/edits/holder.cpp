@@ -16,7 +16,7 @@ constexpr double kTissue = -300.0;       // HU: skin and all that is denser
 constexpr double kCell = 2e-3;           // m: about the side of a cell, at least
 constexpr double kMostCells = 1.5e6;     // of a scan; a larger one has larger cells
 constexpr double kThin = 5e-3;           // m: what is nowhere farther than this from its surface
-constexpr double kBulky = 0.4;           // of a body's cells that are no thinner: it can be cut
+constexpr double kFull = 0.5;            // of a body's cells that lie deeper: it can be cut
 constexpr double kOtherBody = 0.2;       // of the largest part's cells: a part as large stays
 constexpr double kLongestPart = 80e-3;   // m: of the patient: an ear, a nose
 constexpr double kFarthestPart = 40e-3;  // m from the body
@@ -273,8 +273,8 @@ std::int64_t countOf(const Mask& mask) {
   return std::accumulate(mask.begin(), mask.end(), std::int64_t{0});
 }
 
-/// A bulky body without what hangs on it by a bridge that is thinner than twice kThin; another body
-/// as it is.
+/// A full body without what hangs on it by a bridge that is thinner than twice kThin. A hollow one,
+/// as a skull without a brain, has walls as thin as a holder's, and stays as it is.
 Mask withoutThinParts(const Cells& cells, const Mask& body) {
   const Mask filled = withCavities(cells, body);
   Mask outside(filled.size());
@@ -283,15 +283,15 @@ Mask withoutThinParts(const Cells& cells, const Mask& body) {
   Mask deep(filled.size());
   for (std::size_t n = 0; n < deep.size(); ++n) deep[n] = depth[n] > kThin * kThin;
   const Mask core = largeParts(cells, deep, kOtherBody);
+  if (static_cast<double>(countOf(core)) < kFull * static_cast<double>(countOf(filled)))
+    return filled;
   // grown back
   const double grown = kThin + cells.side.maxCoeff();
   const std::vector<double> from_core = squaredDistanceTo(cells, core);
   Mask opened(filled.size());
   for (std::size_t n = 0; n < opened.size(); ++n)
     opened[n] = filled[n] != 0 && from_core[n] <= grown * grown;
-  const bool bulky =
-      static_cast<double>(countOf(opened)) >= kBulky * static_cast<double>(countOf(filled));
-  return bulky ? opened : filled;
+  return opened;
 }
 
 /// The cells of the patient, and those around: what is solid elsewhere goes. `axis`: the one that

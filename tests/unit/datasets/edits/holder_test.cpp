@@ -22,6 +22,7 @@ constexpr double kVoxel = 2e-3;  // m
 struct LyingHead {
   bool with_holder = true;
   bool in_units = true;
+  bool hollow = false;  // a wall and a base of bone, open at the top; beside its holder
 
   static double head(const Vec3& p) {  // its distance [m], about
     const double skull = (p.cwiseQuotient(Vec3{0.075, 0.09, 0.11}).norm() - 1.0) * 0.075;
@@ -41,8 +42,17 @@ struct LyingHead {
     const Vec3 bar = (p - Vec3{0.0, 0.097, 0.0}).cwiseAbs() - Vec3{0.002, 0.01, 0.002};
     return std::min({shell, table, foot.maxCoeff(), bar.maxCoeff()});
   }
+  /// Where it is hollow: its distance from the bone.
+  static double skull(const Vec3& p) {
+    const double wall = std::max(std::abs(head(p) + 0.003) - 0.003, p.z() - 0.07);
+    return std::min(wall, std::max(head(p), p.z() + 0.06));
+  }
+  static double apart(const Vec3& p) {
+    return std::max(holder(p), 0.102 - std::hypot(p.x(), p.y()));
+  }
   double value(const Vec3& p, double grain) const {
     const auto filled = [](double d) { return std::clamp(0.5 - d / kVoxel, 0.0, 1.0); };
+    if (hollow) return std::max(filled(skull(p)), filled(apart(p))) * 2000.0 - 1000.0 + grain;
     const double bone = filled(std::abs(head(p) + 0.012) - 0.003);
     const double matter = std::max(filled(head(p)) * (40.0 + 960.0 * bone + 1000.0),
                                    with_holder ? filled(holder(p)) * 1400.0 : 0.0);
@@ -92,6 +102,30 @@ TEST(RemoveHolder, TakesTableAndHolderAndLeavesEarsAndNose) {
       EXPECT_EQ(lost, 0) << in_units << " " << over_air;
       EXPECT_EQ(left, 0) << in_units << " " << over_air;
     }
+}
+
+// The walls of a skull without a brain are as thin as a holder's, and its base is thick.
+TEST(RemoveHolder, TakesNothingOfAHollowSkull) {
+  const auto scan = lying({.hollow = true});
+  const std::vector<Edit> edits{RemoveHolder{300.0}};
+  const auto result = edited(scan, edits);
+  ASSERT_TRUE(result);
+  const auto* before = static_cast<const std::int16_t*>(scan->voxels.get());
+  const auto* after = static_cast<const std::int16_t*>((*result)->voxels.get());
+  std::int64_t skull = 0, lost = 0, left = 0;
+  for (std::int64_t n = 0; n < scan->grid.voxelCount(); ++n) {
+    if (before[n] < 300) continue;
+    const auto& dims = scan->grid.dims;
+    const Vec3 p = scan->grid.worldOf(
+        Vec3{double(n % dims[0]), double(n / dims[0] % dims[1]), double(n / (dims[0] * dims[1]))});
+    const bool bone = LyingHead::skull(p) < LyingHead::apart(p);
+    skull += bone;
+    lost += bone && after[n] != before[n];
+    left += !bone && after[n] >= 300;
+  }
+  EXPECT_GT(skull, 50'000);
+  EXPECT_EQ(lost, 0);
+  EXPECT_EQ(left, 0);
 }
 
 TEST(RemoveHolder, SaysSoWhereThereIsNone) {
