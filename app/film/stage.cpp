@@ -248,9 +248,8 @@ void FilmStage::placeSurface(double isovalue) {
   s.redrawSurface();
   if (s.surface.mode() == ui::SurfaceMode::Mesh) {
     try {
-      const auto image = s.volume->grid.voxelCount() <= kFineVoxels
-                             ? s.picture.image
-                             : ui::reducedImageOf(*s.volume, kFineVoxels);
+      // closed at the cut faces, which are felt too
+      const auto image = ui::reducedImageOf(*s.volume, kFineVoxels);
       s.surface.showFine(ui::isosurfaceMesh(image, isovalue, s.picture.mirrored()), isovalue);
     } catch (const std::bad_alloc&) {  // then the reduced mesh stays
     }

@@ -89,11 +89,8 @@ void PictureController::makeFineMesh(double isovalue) {
       [isovalue, volume = picture.volume, mirrored = picture.mirrored()](
           const background::Watch&) -> haptics::Expected<vtkSmartPointer<vtkPolyData>> {
         background::goLast();  // an edit or another volume comes first
-        // with a crop: closed at its faces, as the reduced mesh is
-        const auto image = volume->grid.voxelCount() <= kFineVoxels && !volume->crop
-                               ? ui::imageOf(*volume)
-                               : ui::reducedImageOf(*volume, kFineVoxels);
-        return ui::isosurfaceMesh(image, isovalue, mirrored);
+        // closed at the cut faces, which are felt too
+        return ui::isosurfaceMesh(ui::reducedImageOf(*volume, kFineVoxels), isovalue, mirrored);
       },
       [this, isovalue,
        volume = picture.volume](const haptics::Expected<vtkSmartPointer<vtkPolyData>>& mesh) {

@@ -6,6 +6,10 @@
 #include <QAbstractButton>
 #include <QAction>
 
+#include <vtkActor.h>
+#include <vtkFeatureEdges.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <QApplication>
 #include <QDir>
 #include <QDropEvent>
@@ -254,6 +258,26 @@ TEST_F(Opening, TheListShowsTheFrontAboveHoweverTheFilesAreStored) {
 }
 
 TEST_F(Opening, SlicesBeginWithTheWindowThatTheSeriesStates) {
+// The half of the slices that is solid ends with them. The tool stops there, and so does the eye.
+TEST_F(Opening, TheSurfaceIsClosedWhereTheScanEnds) {
+  const QTemporaryDir folder;
+  writeSeries(folder, ".1", {0, 1, 2, 3});
+  started();
+  open(folder.path().toStdString());
+  ASSERT_TRUE(waitFor([&] { return !title().startsWith("sphere"); }));
+  ui::VolumeView& view = application_->window().views().volume();
+  window::pictureAtRest(view);
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(view.surface().mesh()->GetMapper());
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(mapper->GetInput());
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  EXPECT_GT(mapper->GetInput()->GetNumberOfPolys(), 100);
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfLines(), 0);
+}
+
   const QTemporaryDir folder;
   writeSeries(folder, ".1", {0, 1, 2, 3},
               {{0x28, 0x1050, "DS", "-50\\40"},
