@@ -120,13 +120,14 @@ Outcome exportFilm(const FilmChoice& choice) {
       options.camera = cameraOf(view->look);
       least = std::min(least, view->look.second.value_or(least));
     }
+    // a slice shows the skin whatever the isovalue, and may be a profile
+    if (choice.slices) least = volume->least;
     face = choice.volume.phantom.empty() && mayShowAFace(*volume, least);
   }
   options.look.slices = choice.slices;
   if (face)
     tell(
-        "At this isovalue skin may be drawn, and a face can tell who the patient is: look at the "
-        "film "
+        "Skin may be drawn, and a face or a profile can tell who the patient is: look at the film "
         "before you pass it on.");
   if (!options.look.marks.empty())
     tell("Notes are shown as they were written: look whether they name somebody.");

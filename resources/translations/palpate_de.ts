@@ -2063,8 +2063,12 @@
         <translation>Die Aufzeichnung gehört zu einem anderen Scan als dem gezeigten. Öffnen Sie zuerst deren Scan, dann zeigt der Film auch dessen Oberfläche.</translation>
     </message>
     <message>
-        <source>At this isovalue skin may be drawn, and a face can be recognised. Choose an isovalue of bone, or give the film only to people with permission to see it.</source>
-        <translation>Bei diesem Isowert kann Haut gezeichnet sein, und ein Gesicht ist zu erkennen. Wählen Sie einen Isowert von Knochen, oder geben Sie den Film nur Personen, die ihn sehen dürfen.</translation>
+        <source>Slices show the skin, and a profile can be recognised. Make the film without slices at isovalues of bone, or give it only to people with permission to see it.</source>
+        <translation>Schnittbilder zeigen die Haut, und ein Profil kann erkannt werden. Machen Sie den Film ohne Schnittbilder bei Isowerten von Knochen, oder geben Sie ihn nur Personen, die ihn sehen dürfen.</translation>
+    </message>
+    <message>
+        <source>At its isovalues skin may be drawn, and a face can be recognised. Choose isovalues of bone, for a second surface too, or give the film only to people with permission to see it.</source>
+        <translation>Bei seinen Isowerten ist vielleicht Haut zu sehen, und ein Gesicht kann erkannt werden. Wählen Sie Isowerte von Knochen, auch für eine zweite Oberfläche, oder geben Sie den Film nur Personen, die ihn sehen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -2774,8 +2778,8 @@
         <translation>Das Werkzeug passt nicht dorthin, wo es war: es bleibt, wo es ist.</translation>
     </message>
     <message>
-        <source>At this isovalue skin may be drawn, and a face can be recognised. Choose an isovalue of bone, or give the picture only to people with permission to see it.</source>
-        <translation>Bei diesem Isowert kann Haut gezeichnet sein, und ein Gesicht ist zu erkennen. Wählen Sie einen Isowert von Knochen, oder geben Sie das Bild nur Personen, die es sehen dürfen.</translation>
+        <source>At its isovalues skin may be drawn, and a face can be recognised. Choose isovalues of bone, for a second surface too, or give the picture only to people with permission to see it.</source>
+        <translation>Bei seinen Isowerten ist vielleicht Haut zu sehen, und ein Gesicht kann erkannt werden. Wählen Sie Isowerte von Knochen, auch für eine zweite Oberfläche, oder geben Sie das Bild nur Personen, die es sehen dürfen.</translation>
     </message>
 </context>
 <context>

@@ -97,14 +97,21 @@ void ExportController::askAndExport(const Exported& recording) {
       return;
     request.look = lookOf(views_.look(), filmMarks(measures_.all(), measures_.scan()));
     request.look.slices = wish->film.slices;
-    const double least =
+    double least =
         std::min(recording.least_isovalue, request.look.second.value_or(recording.least_isovalue));
+    // a slice shows the skin whatever the isovalue, and may be a profile
+    if (of_view && request.look.slices) least = request.volume->least;
     // said once for each film, before anything is written
     if (shared_.shown && !shared_.shown->place.empty() && mayShowAFace(*request.volume, least) &&
         !messages_.askWhether(
             tr("This film may show a face."),
-            tr("At this isovalue skin may be drawn, and a face can be recognised. Choose an "
-               "isovalue of bone, or give the film only to people with permission to see it."),
+            request.look.slices
+                ? tr("Slices show the skin, and a profile can be recognised. Make the film "
+                     "without slices at isovalues of bone, or give it only to people with "
+                     "permission to see it.")
+                : tr("At its isovalues skin may be drawn, and a face can be recognised. Choose "
+                     "isovalues of bone, for a second surface too, or give the film only to "
+                     "people with permission to see it."),
             tr("Make the film")))
       return;
   }

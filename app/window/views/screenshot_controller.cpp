@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -45,8 +46,10 @@ void ScreenshotController::take() {
   const std::optional<Loaded>& shown = shared_.shown;
   // a slice shows the skin whatever the isovalue
   const bool slices = views_.showsSlices();
+  const double isovalue = shared_.settings.isovalue;
+  const double least = std::min(isovalue, views_.volume().surface().second().value_or(isovalue));
   if (shown && !shown->place.empty() &&
-      mayShowAFace(*shown->volume(), slices ? shown->volume()->least : shared_.settings.isovalue))
+      mayShowAFace(*shown->volume(), slices ? shown->volume()->least : least))
     std::fprintf(stderr,
                  "Skin is drawn, and a face or a profile can tell who the patient is: look at the "
                  "picture before you pass it on.\n");

@@ -136,9 +136,9 @@ bool ViewController::mayLeave(bool with_slices) {
              with_slices ? tr("Slices show the skin, and a profile can be recognised. Take "
                               "a picture of the 3-D view alone at the isovalue of bone, or "
                               "give this one only to people with permission to see it.")
-                         : tr("At this isovalue skin may be drawn, and a face can be "
-                              "recognised. Choose an isovalue of bone, or give the picture "
-                              "only to people with permission to see it."),
+                         : tr("At its isovalues skin may be drawn, and a face can be recognised. "
+                              "Choose isovalues of bone, for a second surface too, or give the "
+                              "picture only to people with permission to see it."),
              tr("Take the picture"));
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDateTime>
 #include <QElapsedTimer>
@@ -150,7 +151,7 @@ TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
 }
 
 /// What the user is asked when the first recording is to become a film, and says no to.
-QString askedBeforeAFilm(app::Application& application) {
+QString askedBeforeAFilm(app::Application& application, bool slices = false) {
   QString asked;
   bool ended = false;
   QTimer answers;
@@ -159,9 +160,10 @@ QString askedBeforeAFilm(app::Application& application) {
     if (auto* wish = qobject_cast<ui::ExportDialog*>(dialog)) {
       auto* formats = child<QComboBox>(*wish, "exportFormat");
       formats->setCurrentIndex(formats->count() - 1);
+      child<QCheckBox>(*wish, "filmSlices")->setChecked(slices);
       child<QPushButton>(*wish, "exportAgree")->click();
     } else if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
-      asked = box->text();
+      asked = box->text() + ' ' + box->informativeText();
       box->reject();
       ended = true;
     } else if (dialog != nullptr) {
@@ -209,7 +211,28 @@ TEST(RecordedSession, AFilmOfAScanWarnsOfAFaceWhateverToolAndField) {
   QSignalSpy adopted(&application, &app::Application::adopted);
   emit application.window().menus().phantomWanted("torus");
   ASSERT_TRUE(adopted.wait(60'000));
-  EXPECT_EQ(askedBeforeAFilm(application), "This film will show the tool alone.");
+  EXPECT_TRUE(askedBeforeAFilm(application).startsWith("This film will show the tool alone."));
+}
+
+TEST(RecordedSession, AFilmOfBoneWarnsOfAFaceInItsSlices) {
+  const QTemporaryDir folder, scans;
+  const fs::path scan = fs::path(scans.path().toStdString()) / "head.nrrd";
+  const auto volume = window::volumeOf(
+      window::cubeGrid(80), haptics::ScalarType::Int16,
+      [](const haptics::Vec3& p) { return p.norm() < 30e-3 ? 1000.0 : -1000.0; }, {.unit = "HU"});
+  ASSERT_TRUE(datasets::writeNrrd(*volume, scan));
+  app::Arguments arguments = recordedSphere(folder, "tap");
+  arguments.load.phantom = {};
+  arguments.load.path = scan;
+  app::Application application(arguments);
+  application.start();
+  recordSome(application, folder, 300);
+  if (HasFatalFailure()) return;
+  EXPECT_EQ(askedBeforeAFilm(application), "");
+  EXPECT_TRUE(askedBeforeAFilm(application, true).contains("without slices"));
+  // nor is bone seen alone under a second surface of skin
+  application.window().views().volume().setSecondSurface(-300.0);
+  EXPECT_TRUE(askedBeforeAFilm(application).contains("second surface"));
 }
 
 TEST(RecordedSession, IsGoneThroughInTheWindow) {
