@@ -386,9 +386,10 @@ void Application::Parts::wireViews() {
   });
   connect(&picture, &PictureController::snapshotTaken, &device, &DeviceController::showForce);
   using ViewFile = ViewFileController;
-  connect(&view_file, &ViewFile::scanWanted, &opening, [this](const std::filesystem::path& path) {
-    opening.load({.path = path}, Application::tr("Reading"));
-  });
+  connect(&view_file, &ViewFile::scanWanted, &opening,
+          [this](const std::filesystem::path& path, const haptics::Grid& grid) {
+            opening.load({.path = path, .grid = grid}, Application::tr("Reading"));
+          });
   connect(&view_file, &ViewFile::editsWanted, &edit, &EditController::restore);
   view_file.setKnown({.place =
                           [this](const VolumeHash& hash) {

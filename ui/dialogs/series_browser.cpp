@@ -203,11 +203,16 @@ void SeriesBrowser::fill() {
   header->setMinimumSectionSize(QFontMetrics(font()).averageCharWidth() * 10);
   for (const int column : {Study, Series})
     header->setSectionResizeMode(column, QHeaderView::Stretch);
-  const auto loadable = std::ranges::find_if(rows_, [](const SeriesRow& row) {
-    return row.verdict == Verdict::Sound || row.verdict == Verdict::Correctable;
-  });
+  // the one with the most voxels of those that can be loaded whole
+  const auto voxels = [](const SeriesRow& row) {
+    const bool whole = row.verdict == Verdict::Sound || row.verdict == Verdict::Correctable;
+    return whole ? static_cast<double>(row.dims[0]) * static_cast<double>(row.dims[1]) *
+                       static_cast<double>(row.dims[2])
+                 : -1.0;
+  };
   if (!rows_.isEmpty())
-    table_->selectRow(loadable == rows_.end() ? 0 : static_cast<int>(loadable - rows_.begin()));
+    table_->selectRow(
+        static_cast<int>(std::ranges::max_element(rows_, {}, voxels) - rows_.begin()));
 }
 
 void SeriesBrowser::fillRow(int row, const QIcon& verdict, const QIcon& no_picture_yet) {

@@ -35,6 +35,9 @@ struct LoadRequest {
   std::optional<std::filesystem::path> path = {};
   QString name = {};               ///< of the path, for the user; empty: its own
   std::optional<int> series = {};  ///< index of the entry in the path's survey
+  /// The grid of the scan that is wanted, where it is known, as of a view: where one entry alone
+  /// can have it, that one is taken.
+  std::optional<haptics::Grid> grid = {};
   /// The entry itself. If not set, the path is surveyed and the only sound entry is taken, unless
   /// another is larger or correctable.
   std::optional<ChosenSeries> chosen = {};

@@ -94,6 +94,19 @@ bool needsAWord(const datasets::SeriesVerdict& other, const datasets::SeriesVerd
          voxels(other) > voxels(one);
 }
 
+/// Whether an entry is the scan of a request's grid, or could be.
+bool fits(const LoadRequest& request, const datasets::SeriesVerdict& series) {
+  std::array<std::int64_t, 3> dims = series.dims;
+  haptics::Vec3 spacing_mm = series.spacing_mm;
+  if (series.unbroken_part) {
+    dims[2] = series.unbroken_part->slices;
+    spacing_mm = series.unbroken_part->spacing_mm;
+  } else if (series.verdict == datasets::Verdict::Refused) {
+    return false;
+  }
+  return request.grid->dims == dims && spacing_mm.isApprox(request.grid->spacing * 1e3, 1e-6);
+}
+
 // Which entry to load without asking: the one that was named, else the only sound one, else the
 // only one that could be corrected, where no other needs a word. Of a single refused one the
 // reader says why.
@@ -144,6 +157,10 @@ Expected<void> choose(LoadRequest& request, const Watch& watch) {
   auto survey = datasets::survey(*request.path, progress);
   if (!survey) return tl::unexpected(survey.error());
   if (watch.cancel) return cancelled();
+  const auto fitting = [&](const datasets::SeriesVerdict& s) { return fits(request, s); };
+  if (request.grid && std::ranges::count_if(survey->series, fitting) == 1)
+    request.series =
+        static_cast<int>(std::ranges::find_if(survey->series, fitting) - survey->series.begin());
   auto entry = entryOf(request, survey->series);
   const std::filesystem::path place = placeOf(*request.path, *survey);
   const bool among_others = survey->series.size() > 1;

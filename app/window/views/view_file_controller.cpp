@@ -140,7 +140,7 @@ bool ViewFileController::openScan(const std::filesystem::path& scan) {
     return true;
   }
   step_ = Step::Scan;
-  emit scanWanted(scan);
+  emit scanWanted(scan, opening_.grid);
   return true;
 }
 

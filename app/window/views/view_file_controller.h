@@ -70,7 +70,7 @@ class ViewFileController : public QObject {
 
  signals:
   /// The scan of a view that is being opened.
-  void scanWanted(const std::filesystem::path& path);
+  void scanWanted(const std::filesystem::path& path, const haptics::Grid& grid);
   /// The edits of a view that is being opened, in place of the present ones. When the volume that
   /// results is on view, the rest of the view follows.
   void editsWanted(const std::vector<datasets::Edit>& edits);

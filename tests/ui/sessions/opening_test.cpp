@@ -28,6 +28,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -257,7 +258,6 @@ TEST_F(Opening, TheListShowsTheFrontAboveHoweverTheFilesAreStored) {
   EXPECT_TRUE(table->item(2, 0)->toolTip().contains("left and right are unknown"));
 }
 
-TEST_F(Opening, SlicesBeginWithTheWindowThatTheSeriesStates) {
 // The half of the slices that is solid ends with them. The tool stops there, and so does the eye.
 TEST_F(Opening, TheSurfaceIsClosedWhereTheScanEnds) {
   const QTemporaryDir folder;
@@ -278,6 +278,7 @@ TEST_F(Opening, TheSurfaceIsClosedWhereTheScanEnds) {
   EXPECT_EQ(edges->GetOutput()->GetNumberOfLines(), 0);
 }
 
+TEST_F(Opening, SlicesBeginWithTheWindowThatTheSeriesStates) {
   const QTemporaryDir folder;
   writeSeries(folder, ".1", {0, 1, 2, 3},
               {{0x28, 0x1050, "DS", "-50\\40"},
@@ -335,6 +336,39 @@ TEST_F(Opening, TheOnlySoundSeriesIsNotLoadedWithoutAWordAboutALargerOne) {
   EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{8, 8, 5}));
   EXPECT_NEAR(volume().grid.origin.z(), 4e-3, 1e-12);
   EXPECT_EQ(volume().slices_left_out, 5);
+}
+
+TEST_F(Opening, TheSeriesOfAViewIsTakenWithoutAQuestion) {
+  const QTemporaryDir folder, views;
+  writeSeries(folder, ".1", {0, 1, 2, 3});
+  writeSeries(folder, ".2", {0, 1, 2, 3, 4, 5});
+  writeSeries(folder, ".3", {0, 1, 2, 4, 5, 6, 7, 8});  // in part
+  started();
+  const auto dims = [&] { return volume().grid.dims; };
+  const QStringList saved{views.filePath("1.palpate-view"), views.filePath("3.palpate-view")};
+  const auto choose = [&](std::int64_t slices, const QString& view) {
+    open(folder.path().toStdString());
+    ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
+    auto* table = browser()->findChild<QTableWidget*>("series");
+    EXPECT_TRUE(table->item(table->currentRow(), 4)->text().endsWith("× 6"));  // the largest
+    for (int row = 0; row < table->rowCount(); ++row)
+      if (table->item(row, 4)->text().startsWith(QString("8 × 8 × %1").arg(slices)))
+        browser()->findChild<QPushButton*>(QString("load%1").arg(row))->click();
+    ASSERT_TRUE(waitFor([&] { return dims()[2] == slices; }));
+    QSignalSpy ended(&application_->viewFile(), &app::ViewFileController::finished);
+    application_->viewFile().save(view.toStdString(), true);
+    ASSERT_TRUE(waitFor([&] { return ended.count() > 0; }));
+  };
+  choose(4, saved[0]);
+  answerNext("largest unbroken part");
+  choose(5, saved[1]);
+  for (const auto& [view, slices] : {std::pair{saved[0], 4}, {saved[1], 5}}) {
+    if (slices == 5) answerNext("largest unbroken part");
+    open(view.toStdString());
+    EXPECT_TRUE(waitFor([&] { return dims()[2] == slices || browser() != nullptr; }));
+    EXPECT_EQ(browser(), nullptr);
+    EXPECT_EQ(dims()[2], slices);
+  }
 }
 
 TEST_F(Opening, ASeriesAloneThatLacksSlicesOffersItsLargestPart) {
