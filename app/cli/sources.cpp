@@ -42,22 +42,33 @@ bool isPointFile(const ToolChoice& choice) {
   return strcasecmp(std::filesystem::path(choice.name).extension().c_str(), ".csv") == 0;
 }
 
-/// The numbers of a line of a CSV; nothing where it is anything else.
-std::optional<std::vector<double>> numbersIn(std::string_view line) {
+/// The numbers at the begin of a line of a CSV, up to a field that is anything else.
+std::vector<double> numbersIn(std::string_view line) {
   std::vector<double> row;
   const char *at = line.data(), *end = line.data() + line.size();
   while (at < end) {
     while (at < end && (*at == ' ' || *at == '\t')) ++at;
     double value = 0.0;
     const auto [stop, error] = std::from_chars(at, end, value);
-    if (error != std::errc{}) return {};
-    row.push_back(value);
+    if (error != std::errc{}) break;
     at = stop;
     while (at < end && (*at == ' ' || *at == '\t')) ++at;
-    if (at < end && *at != ',') return {};
+    if (at < end && *at != ',') break;
+    row.push_back(value);
     ++at;
   }
   return row;
+}
+
+/// How many fields a line of a CSV has; a comma in quotes ends none.
+std::size_t fieldsIn(std::string_view line) {
+  std::size_t fields = 1;
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted) ++fields;
+  }
+  return fields;
 }
 
 /// The names in the first line of a CSV, without blanks around them and quotes.
@@ -263,23 +274,22 @@ haptics::Expected<NumberTable> readNumbers(const std::string& path, std::size_t 
   if (read == LineRead::End) return malformed({"table-empty", {path}});
   if (read == LineRead::TooLong) return tooLong(1);
   NumberTable table{namesIn(line), {}, {}};
-  if (const auto numbers = numbersIn(line); numbers && !numbers->empty())
-    return malformed({"table-no-names", {path}});
+  if (numbersIn(line).size() == fieldsIn(line)) return malformed({"table-no-names", {path}});
   for (std::size_t number = 2;
        (read = haptics::takeLine(*file, line, kLongestLine)) != LineRead::End; ++number) {
     if (read == LineRead::TooLong) return tooLong(number);
     if (line.empty()) continue;
-    auto row = numbersIn(line);
-    if (!row || row->size() < columns)
+    std::vector<double> row = numbersIn(line);
+    if (row.size() < columns)
       return malformed(
           {"table-row-short", {path, std::to_string(columns), std::to_string(number)}});
     // "0,5,1,5": decimal commas
-    if (row->size() > table.names.size())
+    if (fieldsIn(line) > table.names.size())
       return malformed({"table-row-long", {path, std::to_string(number)}});
     for (std::size_t c = 0; c < columns; ++c)
-      if (!std::isfinite((*row)[c]))
+      if (!std::isfinite(row[c]))
         return malformed({"table-not-finite", {path, table.names[c], std::to_string(number)}});
-    table.rows.push_back(std::move(*row));
+    table.rows.push_back(std::move(row));
     table.lines.push_back(number);
   }
   if (table.rows.empty()) return malformed({"table-empty", {path}});

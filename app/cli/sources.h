@@ -72,8 +72,8 @@ struct NumberTable {
   std::vector<std::vector<double>> rows;
   std::vector<std::size_t> lines;  ///< the line of each row in its file, from 1
 };
-/// Reads one. Every row must have at least `columns` finite numbers. A first line of numbers is
-/// refused, since it would be lost.
+/// Reads one. Every row must begin with at least `columns` finite numbers; behind them may be texts
+/// and empty fields. A first line of numbers is refused, since it would be lost.
 haptics::Expected<NumberTable> readNumbers(const std::string& path, std::size_t columns);
 
 }  // namespace app::cli
