@@ -40,6 +40,7 @@
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/style/style.h"
+#include "ui/panels/status_line.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/loading.h"
 #include "ui/window/menus.h"
@@ -506,6 +507,21 @@ TEST(MainWindow, SaysThatWhatIsDraggedOverItWillOpen) {
 }
 
 TEST(MainWindow, LooksForTheNextScanWhereTheLastOneLies) {
+TEST(MainWindow, TheStatusLineSaysWhereItIsCut) {
+  ui::StatusLine line;
+  line.setHand("a device with a long name, and numbers behind it: 12345");
+  line.show();
+  line.resize(150, 24);
+  const QImage cut = window::pictureOf(line);
+  QLabel said;
+  said.setFont(line.font());
+  said.setText(line.fontMetrics().elidedText(line.text(), Qt::ElideRight, 150));
+  EXPECT_TRUE(said.text().endsWith(QChar(0x2026)));
+  said.show();
+  said.resize(150, 24);
+  EXPECT_EQ(cut, window::pictureOf(said));
+}
+
   const QTemporaryDir folder;
   ASSERT_TRUE(QDir(folder.path()).mkdir("scan"));
   ui::MainWindow window;

@@ -114,4 +114,11 @@ void StatusLine::compose() {
   setToolTip(line);
 }
 
+void StatusLine::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  style()->drawItemText(
+      &painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(),
+      fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width()), foregroundRole());
+}
+
 }  // namespace ui

@@ -20,6 +20,10 @@ class StatusLine : public QLabel {
   void setHand(const QString& hand);
   void setSurface(const SurfaceChoice& choice);
 
+ protected:
+  /// Where it is cut, it says so.
+  void paintEvent(QPaintEvent* event) override;
+
  private:
   void compose();
   void displayLoop(const haptics::Snapshot& snapshot);
