@@ -2,10 +2,12 @@
 #include <memory>
 #include <optional>
 
+#include "app/build_info/build_info.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
+#include "app/export/facts.h"
 #include "app/recording/facts.h"
 #include "app/recording/replay.h"
 
@@ -16,6 +18,15 @@ struct ReplayOptions {
   std::string file = {};
   VolumeChoice volume;
 };
+
+/// Whether this installation made it: the programs of one have builds of their own, and a commit.
+bool isOfThisBuild(const Recording& recording) {
+  if (recording.build() == buildHere()) return true;
+  const std::string commit = commitHere();
+  return recording.version() == versionHere() && commit != "unknown" &&
+         commit.find('-') == std::string::npos &&
+         exporting::factsOf(recording).value("commit", "") == commit;
+}
 
 Outcome replay(const ReplayOptions& options) {
   if (options.volume.path.empty() == options.volume.phantom.empty())
@@ -63,7 +74,6 @@ Outcome replay(const ReplayOptions& options) {
   if (!difference) return refused(difference.error());
   if (failed) return refused(*failed);
 
-  const RecordingFacts here = recordingFacts("palpate-cli");
   Outcome outcome;
   outcome.json["steps"] = difference->steps;
   outcome.json["skipped"] = difference->skipped;
@@ -75,7 +85,7 @@ Outcome replay(const ReplayOptions& options) {
   outcome.json["max_torque_Nm"] = difference->torque;
   outcome.json["volume"] = !same ? "another" : known ? "same" : "unknown";
   outcome.json["recorded_by"] = recording->version();
-  outcome.json["same_build"] = recording->build() == here.build;
+  outcome.json["same_build"] = isOfThisBuild(*recording);
   outcome.json["recorded_vectors"] = recording->vectors();
   if (difference->steps == 0) {
     outcome.code = Exit::Refused;

@@ -44,6 +44,20 @@ assert made["steps"] == 40000 and made["lost"] == 0 and made["bytes_per_step"] <
 said = call("replay", r, "--volume", folder / "ball.nrrd")
 assert said["steps"] == 40000 and said["differing"] == 0 and said["skipped"] == 0, said
 assert said["volume"] == "same" and said["same_build"], said
+# the window has another build than this program; of one installation they have version and commit
+windows = folder / "window.palpate"
+shutil.copy(r, windows)
+with sqlite3.connect(windows) as database:
+    database.execute("UPDATE meta SET value = 'the window''s' WHERE key = 'build'")
+    about = json.loads(database.execute("SELECT value FROM meta WHERE key = 'about'").fetchone()[0])
+known = "-" not in about["commit"] and about["commit"] != "unknown"
+assert call("replay", windows, "--volume", folder / "ball.nrrd")["same_build"] == known, about
+with sqlite3.connect(windows) as database:
+    database.execute("UPDATE meta SET value = ? WHERE key = 'about'", (json.dumps(about | {"commit": "0" * 12}),))
+assert not call("replay", windows, "--volume", folder / "ball.nrrd")["same_build"], about
+# it is no scan, and who asks hears that
+done = subprocess.run([program, "info", str(r)], capture_output=True, text=True, env=environment)
+assert done.returncode == 3 and "is a recording" in done.stderr, done
 # through the limits of a device, its ramp included
 call(*touch(2, "--device", "falcon", "--record", r))
 said = call("replay", r, "--volume", folder / "ball.nrrd")
