@@ -17,6 +17,7 @@ struct SharedState {
   haptics::SceneOptions options;  ///< options of the next scene
   std::optional<Loaded> shown;    ///< volume and scene on view; none before the first volume
   bool replaying = false;         ///< a recording is on view, and no hand is open
+  bool replays_other = false;     ///< one of another scan than the one on view
   VolumeIdentity identity;        ///< the hashes of volumes
 
   void apply() { session.set(settings); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/sessions/replay_controller.h"
 
+#include <utility>
+
 #include "app/recording/replay.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
@@ -125,7 +127,7 @@ void ReplayController::begin(std::unique_ptr<Replay> replay) {
 
 void ReplayController::drop() {
   replay_.reset();
-  shared_.replaying = false;
+  shared_.replaying = shared_.replays_other = false;
 }
 
 void ReplayController::close() {
@@ -197,8 +199,12 @@ void ReplayController::compareVolumes() {
   if (same_volume_)
     same_volume_ =
         compared(then->hash, shared_.identity.of(shared_.shown->volume())) != SameVolume::Another;
+  const bool other = then != nullptr && !same_volume_;
+  // whose value is told, or no more
+  if (std::exchange(shared_.replays_other, other) != other)
+    touch_.display(snapshotOf(replay_->step().step, shared_.shown->scene->id));
   replay_bar_.showWarning(
-      then == nullptr || same_volume_
+      !other
           ? QString{}
           : tr("The volume on view is not the one that was touched: %1; open that one to see it.")
                 .arg(differenceOf(then->volume, *shared_.shown->volume())));

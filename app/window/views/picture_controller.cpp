@@ -61,7 +61,8 @@ void PictureController::refresh() {
 /// At the place that is pressed hardest.
 std::optional<ui::TouchedValue> PictureController::touchedIn(
     const haptics::Snapshot& snapshot) const {
-  if (!shared_.shown || snapshot.scene != shared_.shown->scene->id || snapshot.contacts <= 0)
+  if (!shared_.shown || snapshot.scene != shared_.shown->scene->id || snapshot.contacts <= 0 ||
+      shared_.replays_other)
     return {};
   const auto places = std::span{snapshot.places}.first(
       std::min<std::size_t>(static_cast<std::size_t>(snapshot.contacts), snapshot.places.size()));

@@ -335,6 +335,10 @@ TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
   QTest::qWait(500);
   auto* warning = child<QLabel>(window.replayBar(), "replayWarning");
   EXPECT_FALSE(warning->isVisible());
+  const auto touched = [&] { return child<QLabel>(window, "touchNow")->text(); };
+  emit window.replayBar().timeWanted(application.replay()->track().end);
+  EXPECT_TRUE(waitFor([&] { return touched().startsWith("Touching "); }))
+      << touched().toStdString();
   const auto before = application.shown()->picture.volume;
   ASSERT_TRUE(written(0.012));
   emit window.menus().openWanted(QString::fromStdString(path.string()));
@@ -344,6 +348,8 @@ TEST(RecordedSession, OverVoxelsThatAreOthersInTheSamePlaceSaysSo) {
   EXPECT_TRUE(warning->text().contains("both have 40 x 40 x 40 voxels"))
       << warning->text().toStdString();
   EXPECT_TRUE(warning->text().contains("the voxels differ")) << warning->text().toStdString();
+  // the values of this one were not touched
+  EXPECT_TRUE(waitFor([&] { return touched() == "Touching"; })) << touched().toStdString();
 }
 
 /// A finished recording: a step a millisecond, its force [N] a thousandth of its time [s].
