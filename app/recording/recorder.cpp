@@ -577,8 +577,17 @@ haptics::Expected<fs::path> recover(const fs::path& part) {
     return refused({"recovery-other-names", {part.string()}}, "beside");
   if (auto beside = foreignBeside(part)) return tl::unexpected(std::move(*beside));
   if (isInUse(part)) return refused({"recovery-in-use", {part.string()}}, "in-use");
-  if (applicationOf(part) != kApplicationId)
-    return refused({"recovery-no-recording", {part.string()}}, "no-recording");
+  const fs::path log = part.string() + "-wal";
+  fs::file_time_type written = fs::last_write_time(part, error);
+  const bool has_log = fs::exists(log, error);
+  if (has_log) written = std::max(written, fs::last_write_time(log, error));
+  const auto noRecording = [&] {
+    return has_log || part.stem().extension() != ".palpate"
+               ? refused({"recovery-no-recording", {part.string()}}, "no-recording")
+               : refused({"recovery-no-log", {part.string(), log.filename().string()}},
+                         "no-recording");
+  };
+  if (applicationOf(part) != kApplicationId) return noRecording();
   auto opened = Database::open(part, Database::Mode::Recover);
   if (!opened)
     return refused({"recovery-failed", {part.string(), opened.error().message}}, "unreadable");
@@ -588,7 +597,7 @@ haptics::Expected<fs::path> recover(const fs::path& part) {
                ? refused({"recovery-in-use", {part.string()}}, "in-use")
                : refused({"recovery-failed", {part.string(), database->complaint()}}, "damaged");
   if (database->integer("PRAGMA application_id") != kApplicationId || !database->hasSchema(kSchema))
-    return refused({"recovery-no-recording", {part.string()}}, "no-recording");
+    return noRecording();
   if (database->integer("SELECT count(*) FROM step") == 0)
     return refused({"recovery-empty", {part.string()}}, "empty");
   const fs::path stem = fs::path(part).replace_extension();
@@ -596,7 +605,10 @@ haptics::Expected<fs::path> recover(const fs::path& part) {
   for (int n = 2; fs::exists(target, error); ++n)
     target = stem.parent_path() /
              (stem.stem().string() + "-" + std::to_string(n) + stem.extension().string());
-  return completed(database, part, target);
+  auto recovered = completed(database, part, target);
+  // of when it was recorded
+  if (recovered) fs::last_write_time(*recovered, written, error);
+  return recovered;
 }
 
 }  // namespace app

@@ -32,6 +32,10 @@ inline constexpr Row kRecordings[] = {
     {"recovery-no-recording",
      "\"%1\" cannot be recovered: it is no unfinished recording; those end in .palpate.part.",
      "unfinished"},
+    {"recovery-no-log",
+     "\"%1\" cannot be recovered: it is damaged, or \"%2\", which holds what was recorded, is not "
+     "beside it; copy both.",
+     "unfinished"},
     {"recovery-empty", "\"%1\" cannot be recovered: nothing was recorded yet; remove it.",
      "unfinished"},
     {"recording-damaged", "The recording is damaged and cannot be read; use a copy of it.",

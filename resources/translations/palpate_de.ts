@@ -1691,6 +1691,14 @@
         <source>No table or holder was found beside the patient; take it away with the scalpel, or as a piece.</source>
         <translation>Neben dem Patienten wurde kein Tisch und keine Halterung gefunden; entfernen Sie sie mit dem Skalpell oder als Stück.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is a recording, not a scan; palpate-cli replay and palpate-cli export read it.</source>
+        <translation>„%1“ ist eine Aufzeichnung, kein Scan; palpate-cli replay und palpate-cli export lesen sie.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be recovered: it is damaged, or &quot;%2&quot;, which holds what was recorded, is not beside it; copy both.</source>
+        <translation>„%1“ kann nicht wiederhergestellt werden: die Datei ist beschädigt, oder „%2“, worin die Aufzeichnung steht, liegt nicht daneben; kopieren Sie beide.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

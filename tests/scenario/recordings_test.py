@@ -159,11 +159,20 @@ time.sleep(1.5)
 running.kill()
 running.communicate()
 assert part.exists() and not k.exists()
+# copied without what lies beside it, it says so
+(folder / "copied").mkdir()
+alone = folder / "copied" / "k.palpate.part"
+shutil.copy(part, alone)
+said = subprocess.run([program, "recover", str(alone)], capture_output=True, text=True, env=environment)
+assert said.returncode == 3 and "k.palpate.part-wal" in said.stderr, said
+left = max(file.stat().st_mtime for file in (part, folder / "k.palpate.part-wal"))
+time.sleep(1.1)
 call("replay", part, "--phantom", "sphere", code=3)
 call("export", part, "--format", "csv", "--out", folder / "x.csv", code=3)
 call(*touch(1, "--record", k), code=4)
 said = call("recover", part)
 assert said["steps"] > 500 and said["lost"] == 0 and not part.exists(), said
+assert abs(k.stat().st_mtime - left) < 0.01  # its date is when it was recorded
 said = call("replay", k, "--volume", folder / "ball.nrrd")
 assert said["differing"] == 0, said
 call("recover", part, code=3)

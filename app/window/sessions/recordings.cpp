@@ -121,9 +121,13 @@ QList<ui::PastRecording> Recordings::list(const fs::path& present, const std::at
     if (cancel) break;
     const auto id = QString::fromStdString(path.filename().string());
     if (path.extension() == ".part") {
+      // most of it is in the log beside it
+      std::uintmax_t bytes = fs::file_size(path, error);
+      const std::uintmax_t log = fs::file_size(path.string() + "-wal", error);
+      if (!error) bytes += log;
       recordings.append({.id = id,
                          .name = QString::fromStdString(path.stem().stem().string()),
-                         .bytes = static_cast<qint64>(fs::file_size(path, error)),
+                         .bytes = static_cast<qint64>(bytes),
                          .finished = false,
                          .label = labels.value(keyOf(id)).toString(),
                          .changed = changedAt(path)});

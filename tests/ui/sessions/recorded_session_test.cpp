@@ -801,6 +801,17 @@ TEST(RecordedSession, ThatWasNeverFinishedIsOfferedAtTheNextStart) {
       [&] { return fs::exists(fs::path(folder.path().toStdString()) / "session-0001.palpate"); }));
 }
 
+TEST(RecordedSession, ThatWasNeverFinishedIsAsLargeAsItsLogIs) {
+  const QTemporaryDir folder;
+  const fs::path part = fs::path(folder.path().toStdString()) / "session-0001.palpate.part";
+  std::ofstream(part) << "head";
+  std::ofstream(part.string() + "-wal") << "what was recorded";
+  const auto listed =
+      app::Recordings(folder.path().toStdString()).list({}, std::atomic<bool>{false});
+  ASSERT_EQ(listed.size(), 1);
+  EXPECT_EQ(listed[0].bytes, 4 + 17);
+}
+
 TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
   const QTemporaryDir folder;
   {
