@@ -243,6 +243,7 @@ void RecordingPanel::setReady(bool ready) {
 
 void RecordingPanel::show(const RecordingStatus& status) {
   status_ = status;
+  since_status_.start();
   showState();
 }
 
@@ -288,7 +289,8 @@ void RecordingPanel::mark() {
   if (status_.state != RecordingStatus::State::Recording) return;
   const QString note = note_->text().trimmed();
   note_->clear();
-  marked_->setText(tr("Marked at %1").arg(clockTime(status_.elapsed, 1)));
+  const double now = status_.elapsed + 1e-3 * static_cast<double>(since_status_.elapsed());
+  marked_->setText(tr("Marked at %1").arg(clockTime(now, 1)));
   confirmation_.start(kConfirmed_ms);
   emit markWanted(note);
 }

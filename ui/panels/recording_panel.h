@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDateTime>
+#include <QElapsedTimer>
 #include <QList>
 #include <QTimer>
 #include <QWidget>
@@ -126,6 +127,7 @@ class RecordingPanel : public QWidget {
   QPushButton* delete_;
   QTimer confirmation_{this};  ///< the last mark is shown while this timer runs
   RecordingStatus status_;
+  QElapsedTimer since_status_;  ///< since it came
   QList<PastRecording> recordings_;
   QString labelled_;  ///< id of the recording whose label is in the field
   bool ready_ = false;
