@@ -3851,10 +3851,6 @@
         <translation>Berührt: %1, %2</translation>
     </message>
     <message>
-        <source>%1 · %L2 kHz</source>
-        <translation>%1 · %L2 kHz</translation>
-    </message>
-    <message>
         <source>%1 N · %2</source>
         <translation>%1 N · %2</translation>
     </message>

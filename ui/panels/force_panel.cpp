@@ -105,9 +105,7 @@ ForcePanel::ForcePanel(QWidget* parent)
   display({});
 }
 
-void ForcePanel::setHand(const QString& label, int rate_hz) {
-  with_->setText(tr("%1 · %L2 kHz").arg(label).arg(rate_hz / 1000));
-}
+void ForcePanel::setHand(const QString& label) { with_->setText(label); }
 
 void ForcePanel::display(const haptics::Snapshot& snapshot,
                          const std::optional<TouchedValue>& touched) {

@@ -31,7 +31,7 @@ PictureController::PictureController(ui::Views& views, ui::TouchState& touch, Sh
     panel_->display(snapshot, touchedIn(snapshot));
   });
   connect(&touch, &ui::TouchState::handNamed, panel_,
-          [this](const QString& label) { panel_->setHand(label, shared_.session.rate().hz); });
+          [this](const QString& label) { panel_->setHand(label); });
   connect(&views.volume(), &ui::VolumeView::fineMeshWanted, this, &PictureController::makeFineMesh);
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
