@@ -164,7 +164,8 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   bold.setBold(true);
   const QString number = readout.place.section(QStringLiteral("   "), 0, 0);
   const QString at = readout.place.section(QStringLiteral("   "), 1);
-  // words give way to the number
+  // words give way to the number, but for the short name: without it, nobody knows which slice it
+  // is
   QFont plain = font;
   plain.setPixelSize(kTextPixels);
   const QFontMetrics metrics(bold);
@@ -173,8 +174,10 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   const int room = top.roomAtLeft() - numbered;
   const QString& name =
       metrics.horizontalAdvance(readout.name) <= room ? readout.name : readout.short_name;
-  top.place(metrics.elidedText(name, Qt::ElideRight, std::max(0, room)), Left, readout.colour,
-            kTextPixels, true);
+  const int named =
+      std::min(top.roomAtLeft(), std::max(room, metrics.horizontalAdvance(readout.short_name)));
+  top.place(metrics.elidedText(name, Qt::ElideRight, named), Left, readout.colour, kTextPixels,
+            true);
   if (!top.place(number, Left, ink)) foot.place(number, Left, ink);
   const bool above = top.place(at, Right, ink);
 
