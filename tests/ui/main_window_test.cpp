@@ -37,10 +37,10 @@
 #include "tests/ui/window_support.h"
 #include "ui/controls/section.h"
 #include "ui/controls/state_chip.h"
+#include "ui/dialogs/save_dialog.h"
 #include "ui/panels/isosurface_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/style/style.h"
-#include "ui/panels/status_line.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/loading.h"
 #include "ui/window/menus.h"
@@ -506,7 +506,6 @@ TEST(MainWindow, SaysThatWhatIsDraggedOverItWillOpen) {
   EXPECT_FALSE(area->isVisible());
 }
 
-TEST(MainWindow, LooksForTheNextScanWhereTheLastOneLies) {
 TEST(MainWindow, TheStatusLineSaysWhereItIsCut) {
   ui::StatusLine line;
   line.setHand("a device with a long name, and numbers behind it: 12345");
@@ -522,6 +521,7 @@ TEST(MainWindow, TheStatusLineSaysWhereItIsCut) {
   EXPECT_EQ(cut, window::pictureOf(said));
 }
 
+TEST(MainWindow, LooksForTheNextScanWhereTheLastOneLies) {
   const QTemporaryDir folder;
   ASSERT_TRUE(QDir(folder.path()).mkdir("scan"));
   ui::MainWindow window;
@@ -537,6 +537,20 @@ TEST(MainWindow, TheStatusLineSaysWhereItIsCut) {
     window.findChild<QAction*>(name)->trigger();
     EXPECT_EQ(begins, QDir(folder.path()).absolutePath()) << name;
   }
+  // and for a view where the last one was saved
+  const QTemporaryDir views;
+  QFileDialog saved;
+  ui::askForOutput(saved, "Views (*.palpate-view)", "palpate-view");
+  emit saved.fileSelected(views.filePath("a.palpate-view"));
+  QString begins;
+  QTimer::singleShot(0, [&] {
+    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      begins = dialog->directory().absolutePath();
+      dialog->reject();
+    }
+  });
+  window.findChild<QAction*>("openView")->trigger();
+  EXPECT_EQ(begins, QDir(views.path()).absolutePath());
 }
 
 TEST(MainWindow, SaysThatItRecordsAsLongAsItDoes) {

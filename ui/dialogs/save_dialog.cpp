@@ -11,20 +11,30 @@
 
 namespace ui {
 
-void askForOutput(QFileDialog& dialog, const QString& filter, const QString& ending) {
+namespace {
+
+QString& lastFolder() {
   static QString folder;
   if (folder.isEmpty())
     folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   // an account without one; the dialog would begin in the folder that the program was started from
   if (!QFileInfo(folder).isDir()) folder = QDir::homePath();
+  return folder;
+}
+
+}  // namespace
+
+QString folderOfOutput() { return lastFolder(); }
+
+void askForOutput(QFileDialog& dialog, const QString& filter, const QString& ending) {
   // Qt's own dialog: in a foreign one Escape would not reach the application
   dialog.setOption(QFileDialog::DontUseNativeDialog);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setNameFilter(filter);
   dialog.setDefaultSuffix(ending);
-  dialog.setDirectory(folder);
+  dialog.setDirectory(lastFolder());
   QObject::connect(&dialog, &QFileDialog::fileSelected,
-                   [](const QString& file) { folder = QFileInfo(file).absolutePath(); });
+                   [](const QString& file) { lastFolder() = QFileInfo(file).absolutePath(); });
 }
 
 void addNotesWarning(QFileDialog& dialog) {

@@ -11,6 +11,8 @@ namespace ui {
 /// the folder where a file was last written since the program's start, or else in the user's
 /// documents. GUI thread.
 void askForOutput(QFileDialog& dialog, const QString& filter, const QString& ending);
+/// That folder.
+QString folderOfOutput();
 
 /// Says in the dialog that notes are written as the user wrote them.
 void addNotesWarning(QFileDialog& dialog);

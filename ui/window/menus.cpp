@@ -46,13 +46,14 @@ void Menus::buildFileMenu() {
   QMenu* file = window_.menuBar()->addMenu(tr("&File"));
   // emits `wish` with what was chosen
   const auto ask = [this](QFileDialog::FileMode mode, const QString& title, const QString& filter,
-                          void (Menus::*wish)(const QString&)) {
+                          void (Menus::*wish)(const QString&), const QString& begin = {}) {
     // Qt's own dialog: in a foreign one Escape would not reach the application
     QFileDialog dialog(&window_, title);
     dialog.setFileMode(mode);
     dialog.setNameFilter(filter);
     dialog.setOption(QFileDialog::DontUseNativeDialog);
-    if (QFileInfo(folder_).isDir()) dialog.setDirectory(folder_);
+    const QString& from = begin.isEmpty() ? folder_ : begin;
+    if (QFileInfo(from).isDir()) dialog.setDirectory(from);
     if (dialog.exec() == QDialog::Accepted) emit(this->*wish)(dialog.selectedFiles().value(0));
   };
   const QString any = tr("All files (*)");
@@ -83,7 +84,7 @@ void Menus::buildFileMenu() {
   file->addSeparator();
   QAction* view = file->addAction(tr("Open &view…"), this, [ask] {
     ask(QFileDialog::ExistingFile, tr("Open a view"), tr("Views (*.palpate-view)"),
-        &Menus::viewWanted);
+        &Menus::viewWanted, folderOfOutput());  // where they are saved
   });
   view->setObjectName("openView");
   QAction* save = file->addAction(tr("Save vie&w"), this, &Menus::viewSaveWanted);
