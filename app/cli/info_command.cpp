@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/commands.h"
@@ -85,6 +86,9 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
 }
 
 Outcome info(const VolumeChoice& options) {
+  if (std::filesystem::path(options.path).extension() == ".palpate")
+    return refused(
+        {haptics::Error::Kind::Unsupported, {"info-recording", {options.path}}, "unreadable"});
   const datasets::ReadProgress progress{.cancel = &interruption()};
   auto survey = datasets::survey(options.path, progress);
   if (!survey) return refused(survey.error());

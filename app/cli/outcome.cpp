@@ -19,12 +19,25 @@ std::string textOf(const nlohmann::ordered_json& json, int indent) {
   return printable(json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace), true);
 }
 
-/// The JSON as lines "name: value" for people.
+std::string wordsOf(const nlohmann::ordered_json& value) {
+  return printable(value.is_string() ? value.get<std::string>() : textOf(value, -1));
+}
+
+/// The JSON as lines "name: value" for people; a line for each object of a list.
 std::string asLines(const nlohmann::ordered_json& json) {
   std::string lines;
-  for (const auto& [name, value] : json.items())
-    lines += name + ": " +
-             printable(value.is_string() ? value.get<std::string>() : textOf(value, -1)) + "\n";
+  for (const auto& [name, value] : json.items()) {
+    if (!value.is_array() || value.empty() || !value.front().is_object()) {
+      lines += name + ": " + wordsOf(value) + "\n";
+      continue;
+    }
+    for (const nlohmann::ordered_json& one : value) {
+      lines += name + ":";
+      for (const auto& [part, of_part] : one.items())
+        lines += (lines.back() == ':' ? " " : ", ") + part + " " + wordsOf(of_part);
+      lines += "\n";
+    }
+  }
   return lines;
 }
 

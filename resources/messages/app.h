@@ -30,6 +30,9 @@ inline constexpr Row kApp[] = {
      "no-file"},
     {"input-too-large", "\"%1\" is larger than %2, and no such file is; choose another.",
      "too-large"},
+    {"info-recording",
+     "\"%1\" is a recording, not a scan; palpate-cli replay and palpate-cli export read it.",
+     "unreadable"},
     {"table-empty", "\"%1\" holds no rows.", "bad-table"},
     {"table-no-names",
      "The first line of \"%1\" holds numbers, where the columns' names belong, and would be lost; "

@@ -372,6 +372,12 @@ def reads_the_part_that_is_named():
     shutil.rmtree(place)
 
 
+def lists_series_a_line_each():
+    series = pathlib.Path(__file__).resolve().parents[1] / "cases" / "hostile" / "dicom_intercept_twice"
+    said = call("info", series, code=3).stdout.decode().splitlines()
+    check(said[0].startswith("series: index 0, modality CT, dims [16,12,10], "), f"a series as {said[0]}")
+
+
 def ticks_of(running):
     """Of the processor, that a process has used."""
     return sum(map(int, pathlib.Path(f"/proc/{running.pid}/stat").read_text().split()[13:15]))
@@ -451,8 +457,8 @@ def speaks_one_language():
 
 
 for test in (is_interrupted, answers_or_fails, is_whole_or_not_there, loses_no_input,
-             steers_no_terminal, reads_numbers_whole, starts_the_studies, reads_the_part_that_is_named, keeps_one_key,
-             speaks_one_language):
+             steers_no_terminal, reads_numbers_whole, starts_the_studies, reads_the_part_that_is_named,
+             lists_series_a_line_each, keeps_one_key, speaks_one_language):
     begun = time.monotonic()
     test()
     print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)
