@@ -366,6 +366,7 @@ void EditPanel::setTool(EditTool tool) {
   if (tool == tool_) return;
   tool_ = tool;
   showPage();
+  keepInSight(*pages_);
   emit toolChosen(tool);
 }
 
@@ -425,15 +426,15 @@ void EditPanel::showPreview(const QString& words, EditConfirm confirm) {
   remove_piece_->setVisible(confirm == EditConfirm::Piece);
   remove_->setVisible(confirm != EditConfirm::Piece);
   preview_->show();
-  keepPreviewInSight();
+  keepInSight(*preview_);
 }
 
 /// With its buttons, wherever the panel was scrolled to.
-void EditPanel::keepPreviewInSight() {
-  QTimer::singleShot(0, this, [this] {
+void EditPanel::keepInSight(QWidget& what) {
+  QTimer::singleShot(0, this, [this, &what] {
     for (QWidget* part = parentWidget(); part != nullptr; part = part->parentWidget())
       if (auto* scroll = qobject_cast<QScrollArea*>(part)) {
-        scroll->ensureWidgetVisible(preview_, 0, style::kGap);
+        scroll->ensureWidgetVisible(&what, 0, style::kGap);
         return;
       } else if (part->layout() != nullptr) {
         part->layout()->activate();
@@ -446,7 +447,7 @@ bool EditPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Enter || event->type() == QEvent::FocusIn) {
     preview_words_->setText(keep ? tr("Only this piece stays. What is hatched goes.")
                                  : tr("This piece goes: it is hatched."));
-    keepPreviewInSight();
+    keepInSight(*preview_);
     emit fateShown(keep);
   }
   return QWidget::eventFilter(watched, event);

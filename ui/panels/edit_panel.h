@@ -107,7 +107,7 @@ class EditPanel : public QWidget {
   QWidget* scalpelPage();
   QFrame* previewBar();
   void showPage();
-  void keepPreviewInSight();
+  void keepInSight(QWidget& what);
   void emitPlaneNumbers();
 
   EditTool tool_ = EditTool::None;
