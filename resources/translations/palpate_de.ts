@@ -5383,7 +5383,7 @@
     </message>
     <message>
         <source>Series</source>
-        <translation>Serien</translation>
+        <translation>Serie</translation>
     </message>
     <message>
         <source>Enter or a double-click fetches a series</source>
@@ -6410,7 +6410,7 @@
     </message>
     <message>
         <source>Series</source>
-        <translation>Serien</translation>
+        <translation>Serie</translation>
     </message>
     <message>
         <source>Enter or a double-click loads a series</source>

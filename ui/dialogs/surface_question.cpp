@@ -49,6 +49,7 @@ SurfaceDialog::SurfaceDialog(const QString& surface, const std::vector<QString>&
   form->addRow(tr("Pieces"), pieces_);
   form->addRow(QString{}, removed_);
   form->addRow(tr("Size"), size_);
+  qobject_cast<QLabel*>(form->labelForField(size_))->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
   export_ = buttons->addButton(tr("Export…"), QDialogButtonBox::AcceptRole);
   export_->setObjectName("surfaceAgree");
