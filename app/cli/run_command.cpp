@@ -513,15 +513,11 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(wholeNumber(1, 1'000'000));
   command->add_option("--field", options->field, "How voxels become a field: trilinear, spline")
       ->check(CLI::IsMember(namesIn(fields())));
-  auto* normal = command
-                     ->add_option("--normal", options->normal,
-                                  "Normals of points near the surface: central, cell, spline")
-                     ->check(CLI::IsMember(namesIn(normals())));
+  // the second as cohort and the report call it
   command
-      ->add_option("--normals", options->normal)  // as cohort and the report call it
-      ->check(CLI::IsMember(namesIn(normals())))
-      ->excludes(normal)
-      ->group("");
+      ->add_option("--normal,--normals", options->normal,
+                   "Normals of points near the surface: central, cell, spline")
+      ->check(CLI::IsMember(namesIn(normals())));
   command
       ->add_option("--device", options->device,
                    "Apply the limits of this device model (an unknown name lists all)")
