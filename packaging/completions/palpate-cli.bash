@@ -91,7 +91,7 @@ _palpate_cli() {
     "run --sub-steps") compopt -o default; return ;;
     "run --budget") compopt -o default; return ;;
     "run --field") mapfile -t COMPREPLY < <(compgen -W "spline trilinear" -- "$word"); return ;;
-    "run --normal") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
+    "run --normal" | "run --normals") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
     "run --device") compopt -o default; return ;;
     "run --rate") mapfile -t COMPREPLY < <(compgen -W "1000 2000 4000" -- "$word"); return ;;
     "run --trace") compopt -o default; return ;;
@@ -146,7 +146,7 @@ _palpate_cli() {
     "cohort merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --before --isovalue --tool --hand --repetitions --seconds --stiffness --angular-stiffness --friction --field --normals --epsilon --sub-steps --budget --rate --seed --tool-mesh --tool-unit --json" -- "$word") ;;
     "devices") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "tool") mapfile -t COMPREPLY < <(compgen -W "-h --help --points --tool-unit --out --json" -- "$word") ;;
-    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --device --rate --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
+    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --normals --device --rate --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
     "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
     "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "surface") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --isovalue --out --frame --largest --view --json" -- "$word") ;;

@@ -100,7 +100,7 @@ complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l epsilon -r -F -d
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l sub-steps -r -F -d 'Most motions in a millisecond that contacts shape or stop'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l budget -r -F -d 'What a tick may spend, counted - 100 units of work for each us; without it as the rate has it'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l field -x -a 'spline trilinear' -d 'How voxels become a field - trilinear, spline'
-complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l normal -x -a 'cell central spline' -d 'Normals of points near the surface - central, cell, spline'
+complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l normals -s -normal -x -a 'cell central spline' -d 'Normals of points near the surface - central, cell, spline'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l device -r -F -d 'Apply the limits of this device model (an unknown name lists all)'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l rate -x -a '1000 2000 4000' -d 'Ticks of the servo loop in a second (Hz)'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l trace -r -F -d 'CSV to write, one row per tick'
