@@ -31,11 +31,11 @@ def options(text):
             if kind and not words and not re.match(r"^[A-Z]+(:|$| )", kind):
                 kind, words = None, kind
             kind = kind or ""
-            *short, name = names.split(",")
+            short = [name for name in names.split(",") if not name.startswith("--")]
             choices = re.search(r"\{([^}]*)\}", kind)
             last = [short[0] if short else "", choices.group(1).split(",") if choices else [],
                     bool(re.match(r"(TEXT|INT|UINT|FLOAT|HOST:PORT|ADDRESS:PORT)", kind)), words or ""]
-            found[name] = last
+            found |= {name: last for name in names.split(",") if name.startswith("--")}
         elif part == "Options" and last and re.match(r"^ {20,}\S", line):
             last[3] = (last[3] + " " + line.strip()).strip()
         elif part == "Subcommands" and (command := re.match(r"^  (\S+)  +(.*)$", line)):

@@ -91,7 +91,8 @@ _palpate_cli() {
     "run --sub-steps") compopt -o default; return ;;
     "run --budget") compopt -o default; return ;;
     "run --field") mapfile -t COMPREPLY < <(compgen -W "spline trilinear" -- "$word"); return ;;
-    "run --normal" | "run --normals") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
+    "run --normal") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
+    "run --normals") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
     "run --device") compopt -o default; return ;;
     "run --rate") mapfile -t COMPREPLY < <(compgen -W "1000 2000 4000" -- "$word"); return ;;
     "run --trace") compopt -o default; return ;;
