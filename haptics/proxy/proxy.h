@@ -52,9 +52,7 @@ struct Search {
   double advance = 0.0;
   int halvings = 0;
 
-  // where no pose was nearer (SubSteps::settle)
   bool settling = false;  ///< the next step lets the proxy settle
-  bool settles = false;   ///< the step to X does
   bool settled = false;   ///< it has been tried at the pose that was taken last
 
   double trust = INFINITY;  ///< m: longest step to try in this search
@@ -78,7 +76,7 @@ struct Search {
     advance = 0.0;
     trust = INFINITY;
     tries = 0;
-    settling = settles = settled = false;
+    settling = settled = false;
     take(proxy.contacts);
   }
 };
