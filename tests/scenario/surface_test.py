@@ -239,7 +239,7 @@ view["scan"]["dims"] = [64, 64, 63]
 # what is refused leaves no file
 no = FOLDER / "no.stl"
 said, told = cli("surface", "--phantom", "sphere", "--isovalue", 1000, "--out", no, "--view",
-                 FOLDER / "other.palpate-view", expect=3)
+                 FOLDER / "other.palpate-view", expect=4)
 check("another scan" in told, told)
 said, told = cli("surface", "--phantom", "sphere", "--isovalue", 99999, "--out", no, expect=3)
 check("no surface" in told and "99999" in told, told)
