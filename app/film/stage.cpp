@@ -159,7 +159,10 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.overlay_layer->AddActor2D(s.note);
   s.placeProxy();
 
+  // words without OpenGL end the program
+  s.overlay_layer->DrawOff();
   s.window->Render();
+  s.overlay_layer->DrawOn();
   if (s.window->IsCurrent()) s.graphics = graphicsNow();
   if (s.graphics.major * 10 + s.graphics.minor < 32)
     return tl::unexpected(Error{Error::Kind::Unsupported, {"film-no-opengl", {}}, "no-graphics"});

@@ -39,7 +39,7 @@ class ScanLine : public QLabel {
   explicit ScanLine(QWidget* parent = nullptr);
 
   void setScan(const QString& name, const QString& size);
-  /// What there is room for.
+  /// The words that are painted.
   QString seen() const;
 
  protected:
