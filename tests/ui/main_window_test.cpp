@@ -418,6 +418,9 @@ TEST(MainWindow, SaysTheStateOfTheForceOnceAndOffersOneWayOn) {
 TEST(MainWindow, TheStateOfTheForceHasTheDeviceAndItsRateBesideIt) {
   ui::MainWindow window;
   const auto& chip = window.bar().force();
+  QString card;  // which shows the same
+  QObject::connect(&window.touch(), &ui::TouchState::handNamed, &window,
+                   [&](const QString& words) { card = words; });
   window.touch().setHand("omega.6", ui::Feel::Felt);
   EXPECT_EQ(chip.detail(), "omega.6");
   haptics::Snapshot snapshot;
@@ -427,6 +430,7 @@ TEST(MainWindow, TheStateOfTheForceHasTheDeviceAndItsRateBesideIt) {
   window.touch().display(snapshot);
   EXPECT_EQ(chip.text(), "Force on");
   EXPECT_EQ(chip.detail(), "omega.6 · 1 kHz");
+  EXPECT_EQ(card, "omega.6 · 1 kHz");
   // another hand, whose loop is slower, and then does not run
   window.touch().setHand("Falcon", ui::Feel::Felt);
   const auto says = [&](const char* detail) {

@@ -32,7 +32,7 @@ class ForcePanel : public QWidget {
   explicit ForcePanel(QWidget* parent = nullptr);
   /// `touched`: none where nothing is touched, or its value is not known.
   void display(const haptics::Snapshot& snapshot, const std::optional<TouchedValue>& touched = {});
-  /// Device; the rate of its loop is measured, and is in the bar at the top.
+  /// Device and the rate of its loop, in the words of the bar at the top.
   void setHand(const QString& label);
   void clear() { plot_->clear(); }
   void append(std::span<const haptics::ForceSample> points) { plot_->append(points); }

@@ -80,8 +80,7 @@ void TouchState::setHand(const QString& label, Feel feel) {
   stopped_by_.clear();
   status_.setHand(label);
   hand_ = label;
-  bar_.force().setDetail(label);
-  emit handNamed(label);
+  detail(label);
 }
 
 void TouchState::showDetail(const haptics::Snapshot& snapshot) {
@@ -89,7 +88,12 @@ void TouchState::showDetail(const haptics::Snapshot& snapshot) {
   const double measured = snapshot.servo_rate * 1e-3, whole = std::round(measured);
   const double kHz = std::abs(measured - whole) < 0.25 ? whole : std::round(10.0 * measured) / 10.0;
   const bool known = snapshot.policy != haptics::SchedulingPolicy::NotStarted && kHz > 0.0;
-  bar_.force().setDetail(known ? tr("%1 · %2 kHz").arg(hand_, QLocale().toString(kHz)) : hand_);
+  detail(known ? tr("%1 · %2 kHz").arg(hand_, QLocale().toString(kHz)) : hand_);
+}
+
+void TouchState::detail(const QString& words) {
+  bar_.force().setDetail(words);
+  emit handNamed(words);
 }
 
 }  // namespace ui

@@ -37,7 +37,8 @@ class TouchState : public QObject {
  signals:
   /// The state is due in words, at most ten times a second.
   void worded(const haptics::Snapshot& snapshot);
-  void handNamed(const QString& label);
+  /// Device, and the rate of its loop once it is known.
+  void handNamed(const QString& words);
   void forceOffWanted();
   void forceOnWanted();
 
@@ -45,6 +46,7 @@ class TouchState : public QObject {
   void displayWords();
   void sayForce(const haptics::Snapshot& snapshot);
   void showDetail(const haptics::Snapshot& snapshot);
+  void detail(const QString& words);
 
   TopBar& bar_;
   Banner& stopped_;
