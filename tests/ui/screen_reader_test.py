@@ -48,41 +48,49 @@ if INSIDE not in os.environ:
 
 BEGUN = time.monotonic()
 CONTEXT = GLib.MainContext.default()
-heard = []  # what was said: kind, name and role of its source
+heard = []  # what was said: kind, the new name, its source
+slices = set()  # what they show changes with the tool: heard once each
 focus = None  # the part that has it, as it was said
 
 
 def hear(event):
+    """Asks the program little: an answer may take it as long as a picture, and more is said meanwhile."""
     global focus
-    try:
-        heard.append((event.type, event.source.get_name(), event.source.get_role_name()))
-        if event.type.startswith("object:state-changed:focused") and event.detail1:
-            focus = event.source
-    except GLib.Error:
-        pass  # it is gone meanwhile
+    if event.type.startswith("object:property-change:accessible-name"):
+        try:
+            if event.source not in slices:
+                heard.append((event.type, event.source.get_name(), event.source))
+                if " slice: " in heard[-1][1]:
+                    slices.add(event.source)
+        except GLib.Error:
+            pass  # it is gone meanwhile
+    elif event.type.startswith("object:state-changed:focused") and event.detail1:
+        focus = event.source
+    elif event.type.startswith("object:property-change:accessible-value"):
+        heard.append((event.type, "", event.source))
 
 
-def pump():
-    """Hears what has been said, for a moment: while a tool touches, there is always more."""
-    end = time.monotonic() + 0.5
-    while CONTEXT.iteration(False) and time.monotonic() < end:
-        pass
+def pump(seconds=0.2):
+    """Hears what is said in this time."""
+    end = time.monotonic() + seconds
+    GLib.timeout_add(int(1e3 * seconds), lambda: False)
+    while time.monotonic() < end:
+        CONTEXT.iteration(True)
 
 
 def wait(what, found):
     """What `found` returns as soon as it is something."""
     end = time.monotonic() + LONG
     while time.monotonic() < end:
-        pump()
         try:
             result = found()
         except GLib.Error:
             result = None  # the tree changed while it was read
         if result:
             return result
-        time.sleep(0.2)
-    for line in heard[-40:]:
-        print("  heard:", line)
+        pump(0.05)
+    for kind, name, _ in heard[-40:]:
+        print("  heard:", kind, name)
     raise AssertionError(f"waited in vain for: {what}")
 
 
@@ -137,7 +145,6 @@ KEYS = {"Tab": 0xff09, "Escape": 0xff1b, "Down": 0xff54, "Up": 0xff52, "Return":
 
 def press(key):
     assert Atspi.generate_keyboard_event(KEYS[key], None, Atspi.KeySynthType.SYM), key
-    pump()
 
 
 def tab_to(role, wanted):
@@ -154,6 +161,11 @@ def tab_to(role, wanted):
 def said(words, after=0):
     return [name for kind, name, _ in heard[after:] if kind.startswith("object:property-change:accessible-name")
             and words in name]
+
+
+def said_by(words, after):
+    return next(source for kind, name, source in heard[after:]
+                if kind.startswith("object:property-change:accessible-name") and name.startswith(words))
 
 
 def step(what):
@@ -193,10 +205,18 @@ def main():
     wait("the isovalue follows", lambda: value_of(slider) == 412.0 and value_of(typed) == 412.0)
     the("canvas", "3-D view: surface at 412 HU")
     wait("the value is told", lambda: any(kind.startswith("object:property-change:accessible-value")
-                                          and name == "Isovalue in HU" for kind, name, _ in heard[before:]))
+                                          and source == slider for kind, _, source in heard[before:]))
     stiffness = the("slider", "Stiffness in N/m")
     assert value_of(stiffness) == 1000.0, value_of(stiffness)
 
+    # no part of the window that takes the focus is without a name
+    for part in parts(program()):
+        states = part.get_state_set()
+        if states.contains(Atspi.StateType.FOCUSABLE) and states.contains(Atspi.StateType.SHOWING):
+            assert part.get_name() or part.get_role_name() in ("filler", "layered pane", "text", "scroll pane"), \
+                (part.get_role_name(), part.get_description())
+
+    # from here on pictures are drawn all the time, and each answer waits for one: the tree is walked no more
     step("touches")
     # the first touch, by keys alone: another hand is chosen in its list
     hands = tab_to("combo box", lambda part: labelled(part) == ["Hand"])
@@ -213,7 +233,8 @@ def main():
     wait("it is said that Escape stopped it", lambda: said("Force stopped by Escape", before))
     wait("the state is said", lambda: said("State of the force: Force stopped", before))
     assert len(said("State of the force: Force stopped", before)) == 1, heard[before:]
-    the("alert", "Force stopped by Escape")
+    alert = said_by("Force stopped by Escape", before).get_parent()
+    assert alert.get_role_name() == "alert", alert.get_role_name()
 
     # and is brought back by keys
     step("brings it back by keys")
@@ -221,12 +242,6 @@ def main():
     before = len(heard)
     press("space")
     wait("the force is back", lambda: said("State of the force: Force shown", before))
-    # no part of the window that takes the focus is without a name
-    for part in parts(program()):
-        states = part.get_state_set()
-        if states.contains(Atspi.StateType.FOCUSABLE) and states.contains(Atspi.StateType.SHOWING):
-            assert part.get_name() or part.get_role_name() in ("filler", "layered pane", "text", "scroll pane"), \
-                (part.get_role_name(), part.get_description())
     listener.deregister("object:state-changed:focused")
 
 
@@ -274,6 +289,7 @@ def run(phantom, test, home, **locale):
 
 os.environ.pop("LANGUAGE", None)
 Atspi.init()
+Atspi.set_timeout(1000 * LONG, 1000 * LONG)
 with tempfile.TemporaryDirectory() as home:
     run("demo", main, home, LC_ALL="C.UTF-8")
     step("speaks the language of the system")

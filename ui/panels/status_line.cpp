@@ -35,7 +35,9 @@ QString wordsFor(haptics::SchedulingPolicy policy) {
 }  // namespace
 
 StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
+  offerSpoken();
   setObjectName("statusLine");
+  setAccessibleName(tr("Status"));  // a label without a name of its own tells each of its texts
   // a long line must not make the window wider than the screen
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }

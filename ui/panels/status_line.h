@@ -5,20 +5,25 @@
 #include <QLabel>
 
 #include "haptics/snapshot.h"
+#include "ui/controls/spoken.h"
 #include "ui/props/volume_prop.h"
 
 namespace ui {
 
 /// One line on the state of the touch and the picture. The servo loop's figures are updated only if
 /// they differ noticeably, first after 5 s and then ever more rarely, down to once in 40 s: each
-/// update paints the whole window where there is no GPU.
-class StatusLine : public QLabel {
+/// update paints the whole window where there is no GPU. A screen reader reads it when it is asked
+/// to; no change is told, since the force's card tells what matters.
+class StatusLine : public QLabel, public Spoken {
   Q_OBJECT
  public:
   explicit StatusLine(QWidget* parent = nullptr);
   void display(const haptics::Snapshot& snapshot);
   void setHand(const QString& hand);
   void setSurface(const SurfaceChoice& choice);
+
+  QAccessible::Role spokenRole() const override { return QAccessible::StatusBar; }
+  QString spokenName() const override { return text(); }
 
  protected:
   /// Where it is cut, it says so.
