@@ -334,7 +334,9 @@ TEST(Layout, HintsSayWhatTheMouseDoesAndCanBeHiddenForEver) {
       EXPECT_LE(below.sizeHint().width(), below.width());
       EXPECT_LE(below.sizeHint().height(), below.height());
       EXPECT_EQ(below.geometry().bottom(), frame->height() - 1);
-      if (width >= 290) EXPECT_EQ(QString(read).replace('\n', ' '), whole);
+      if (width >= 290) {
+        EXPECT_EQ(QString(read).replace('\n', ' '), whole);
+      }
     }
     frame->resize(size);
 

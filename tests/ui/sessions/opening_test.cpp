@@ -607,7 +607,7 @@ TEST_F(Opening, TheNextScanIsLookedForWhereTheLastOneLay) {
     return folder;
   };
   started();
-  for (const QString& name : {"one", "other"}) {
+  for (const QString name : {"one", "other"}) {
     const QString folder = disk.own() + '/' + name;
     QDir(disk.own()).mkpath(name);
     const QString scan = folder + '/' + name + ".nrrd";
