@@ -5,6 +5,7 @@
 #include <vtkActor2D.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -15,12 +16,15 @@
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
 
 #include <QCoreApplication>
 #include <QString>
 #include <algorithm>
+#include <array>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "ui/style/scene_colours.h"
 
@@ -29,7 +33,33 @@ namespace {
 
 constexpr double kWide = 0.28, kHigh = 0.14;  // of the picture
 constexpr double kMargin = 45.0;              // this part of the shorter side is left free
-constexpr int kWordsSize = 16;
+constexpr int kWordsSize = 16, kAside = 8, kAbove = 6;  // pixels
+
+/// Puts the words of marks on the side of their places where they have room, before each picture.
+class Sides : public vtkCommand {
+ public:
+  static Sides* New() { return new Sides; }
+  void add(vtkBillboardTextActor3D& words) { words_.emplace_back(&words); }
+  void Execute(vtkObject* caller, unsigned long, void*) override {
+    auto* renderer = vtkRenderer::SafeDownCast(caller);
+    for (const auto& words : words_) {
+      std::array<double, 3> at{};
+      words->GetPosition(at.data());
+      renderer->SetWorldPoint(at[0], at[1], at[2], 1.0);
+      renderer->WorldToDisplay();
+      std::array<int, 4> box{};  // from and to in x, then in y
+      vtkTextRenderer::GetInstance()->GetBoundingBox(words->GetTextProperty(), words->GetInput(),
+                                                     box.data(), 72);
+      const double right = renderer->GetDisplayPoint()[0] + kAside + (box[1] - box[0]);
+      const bool fits = right < renderer->GetOrigin()[0] + renderer->GetSize()[0];
+      words->SetDisplayOffset(fits ? kAside : -kAside, kAbove);
+      words->GetTextProperty()->SetJustification(fits ? VTK_TEXT_LEFT : VTK_TEXT_RIGHT);
+    }
+  }
+
+ private:
+  std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> words_;
+};
 
 }  // namespace
 
@@ -60,6 +90,7 @@ void addMarks(vtkRenderer& renderer, const std::vector<FilmMark>& marks) {
   const QColor& ink = ui::style::kMeasure;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines, dots;
+  vtkNew<Sides> sides;
   for (const FilmMark& mark : marks) {
     if (mark.places_mm.size() > 1)
       lines->InsertNextCell(static_cast<vtkIdType>(mark.places_mm.size()));
@@ -76,14 +107,15 @@ void addMarks(vtkRenderer& renderer, const std::vector<FilmMark>& marks) {
     words->SetInput(mark.words.c_str());
     const haptics::Vec3& last = mark.places_mm.back();
     words->SetPosition(last.x(), last.y(), last.z());
-    words->SetDisplayOffset(8, 6);
     vtkTextProperty* look = words->GetTextProperty();
     look->SetFontSize(kWordsSize);
     look->SetColor(ink.redF(), ink.greenF(), ink.blueF());
     look->SetBackgroundColor(0.0, 0.0, 0.0);
     look->SetBackgroundOpacity(0.6);
     renderer.AddActor(words);
+    sides->add(*words);
   }
+  renderer.AddObserver(vtkCommand::StartEvent, sides);
   vtkNew<vtkPolyData> shapes;
   shapes->SetPoints(points);
   shapes->SetLines(lines);

@@ -434,6 +434,26 @@ TEST_F(Film, AnAngleHasItsArcAndEveryFilmSaysThatItIsNotForTreatment) {
   EXPECT_GT(bright, 40);
 }
 
+TEST_F(Film, TheWordsOfAMarkAreWholeAtTheRightEdge) {
+  const auto wordsAt = [](double x_mm) {
+    const auto drawn = [](app::FilmLook look) {
+      auto stage = app::FilmStage::open(kWidth, kHeight, {}, std::move(look));
+      EXPECT_TRUE(stage) << sentence(stage.error());
+      (*stage)->look(front());
+      return (*stage)->draw(stepAt(0));
+    };
+    const app::FilmFrame marked = drawn({.marks = {{{{x_mm, -20.0, 20.0}}, "95.4 mm"}}});
+    const app::FilmFrame bare = drawn({});
+    return writtenAbout(marked, bare, {160.0, 40.0}, 40).brighter +
+           writtenAbout(marked, bare, {279.0, 40.0}, 40).brighter;
+  };
+  const double per_pixel = 1.0 / (projected(front(), Vec3(1e-3, -0.02, 0.02))[0] -
+                                  projected(front(), Vec3(0.0, -0.02, 0.02))[0]);  // mm
+  const int whole = wordsAt(0.0);
+  EXPECT_GT(whole, 100);
+  EXPECT_NEAR(wordsAt(140.0 * per_pixel), whole, 0.1 * whole);
+}
+
 TEST_F(Film, ShowsTheCurveOfTheForceAndLosesNoPeak) {
   Session session;
   session.step = [](std::int64_t n) {
