@@ -182,7 +182,10 @@ Error FfmpegFile::failure() {
     poll(&news, 1, kPatience_ms);
   }
   std::string quoted = said_.substr(0, said_.find('\n'));
-  if (quoted.size() > kMostQuoted) quoted = quoted.substr(0, kMostQuoted) + "…";
+  if (quoted.size() > kMostQuoted) {
+    quoted.resize(kMostQuoted);
+    quoted += "…";
+  }
   return {Error::Kind::Unsupported,
           quoted.empty() ? haptics::Message{"film-not-written", {}}
                          : haptics::Message{"ffmpeg-ended", {quoted}},
