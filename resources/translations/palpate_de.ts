@@ -6966,6 +6966,10 @@
         <source>%L1 N · %2 contacts</source>
         <translation>%L1 N · %2 Kontakte</translation>
     </message>
+    <message>
+        <source>Status line</source>
+        <translation>Statuszeile</translation>
+    </message>
 </context>
 <context>
     <name>ui::StopButton</name>

@@ -37,7 +37,8 @@ QString wordsFor(haptics::SchedulingPolicy policy) {
 StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
   offerSpoken();
   setObjectName("statusLine");
-  setAccessibleName(tr("Status"));  // a label without a name of its own tells each of its texts
+  // a label without a name of its own tells each of its texts
+  setAccessibleName(tr("Status line"));
   // a long line must not make the window wider than the screen
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 }
