@@ -73,7 +73,7 @@ Following::Course Following::consider(const Arrival& here, const MotionRows& row
     judge(here, distance, step);
     search_.fresh = false;
   }
-  if (search_.atTaken()) bear(here.allowed, rows);
+  if (search_.atTaken() && !search_.settling) bear(here.allowed, rows);
   return waits_ ? Course::Over : Course::On;
 }
 
@@ -104,6 +104,8 @@ void Following::judge(const Arrival& here, double distance, double step) HAPTICS
                   : !state_.filter.take(distance, step))
     return;
   if (state_.held) state_.catch_up.take();
+  if (!search_.atTaken()) search_.settled = false;
+  gone_ += search_.way + given_.radius() * search_.turned;
   proxy_.X_WP = search_.X;
   proxy_.turn = here.turn;
   search_.take(proxy_.contacts);
@@ -119,8 +121,7 @@ void Following::bear(const ConstrainedMotion& allowed, const MotionRows& rows) H
   }
 }
 
-Following::Limit Following::limit(const Arrival& here) const HAPTICS_RT {
-  const bool bears = here.allowed.active > 0;
+Following::Limit Following::limit(const Arrival& here, bool bears) const HAPTICS_RT {
   if (!state_.held) return {.arrives = !bears};
   if (bears) return {.share = state_.catch_up.shareOf(here.allowed.whitened)};
   const Vector6& left = state_.catch_up.left();

@@ -52,6 +52,9 @@ struct Search {
   double advance = 0.0;
   int halvings = 0;
 
+  bool settling = false;  ///< the next step lets the proxy settle
+  bool settled = false;   ///< it has been tried at the pose that was taken last
+
   double trust = INFINITY;  ///< m: longest step to try in this search
   int tries = 0;            ///< motions in this search that contacts shaped or stopped
 
@@ -73,6 +76,7 @@ struct Search {
     advance = 0.0;
     trust = INFINITY;
     tries = 0;
+    settling = settled = false;
     take(proxy.contacts);
   }
 };
