@@ -241,8 +241,7 @@ bool gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind norm
 void joinExactRows(const Contacts& contacts, const SurfaceRows& surface, double gap,
                    MotionRows& rows) HAPTICS_RT {
   rows.clear();
-  for (const Contact& contact : contacts)
-    rows.push({contact.n_W, contact.r_W, contact.gap - gap});
+  for (const Contact& contact : contacts) rows.push({contact.n_W, contact.r_W, contact.gap - gap});
   for (const int i : surface.chosen) {
     const RowCandidate& point = surface.candidates[static_cast<std::size_t>(i)];
     rows.push({-point.exact_W.normalized(), point.r_W, point.gap - gap});

@@ -100,8 +100,9 @@ std::optional<Following::Course> Following::wait(double distance, double step) H
 void Following::judge(const Arrival& here, double distance, double step) HAPTICS_RT {
   if (search_.atTaken())
     state_.filter.start(distance, step);
-  else if (waits_ ? !state_.filter.takeOnTheWay(distance, step)
-                  : !state_.filter.take(distance, step))
+  else if (waits_            ? !state_.filter.takeOnTheWay(distance, step)
+           : search_.settles ? !state_.filter.settle(distance, step)
+                             : !state_.filter.take(distance, step))
     return;
   if (state_.held) state_.catch_up.take();
   if (!search_.atTaken()) search_.settled = false;

@@ -52,7 +52,9 @@ struct Search {
   double advance = 0.0;
   int halvings = 0;
 
+  // where no pose was nearer (SubSteps::settle)
   bool settling = false;  ///< the next step lets the proxy settle
+  bool settles = false;   ///< the step to X does
   bool settled = false;   ///< it has been tried at the pose that was taken last
 
   double trust = INFINITY;  ///< m: longest step to try in this search
@@ -76,7 +78,7 @@ struct Search {
     advance = 0.0;
     trust = INFINITY;
     tries = 0;
-    settling = settled = false;
+    settling = settles = settled = false;
     take(proxy.contacts);
   }
 };

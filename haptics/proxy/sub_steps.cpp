@@ -175,7 +175,7 @@ bool SubSteps::follow() HAPTICS_RT {
       return endSearch();
   }
   const Twist& lag = here_.lag;
-  const bool settles = std::exchange(search_.settling, false);
+  const bool settles = search_.settles = std::exchange(search_.settling, false);
   search_.bears = settles || here_.allowed.active > 0;
   const Following::Limit limit = following_.limit(here_, search_.bears);
   const Twist way = limit.way ? limited(*limit.way) : here_.allowed.twist;
