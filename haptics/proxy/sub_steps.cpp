@@ -55,8 +55,10 @@ bool SubSteps::stop() HAPTICS_RT {
   return false;
 }
 /// A proxy that got no nearer in this tick lets its contacts come closer than a rest gap, once. It
-/// goes there if it may take that pose, and the search begins again.
+/// goes there if it may take that pose, and the search begins again. Friction holds a tool without
+/// contradicting any normal, so with friction a still proxy stays as it is.
 bool SubSteps::settle() HAPTICS_RT {
+  if (given_.coupling.friction > 0.0) return false;
   const bool stopped = following_.gone() <= C::kStopped * lengths().rest_gap;
   if (!stopped || settled_ || search_.settled || !outside_ || proxy_.bearing.empty()) return false;
   if (!search_.atTaken()) goBack();
