@@ -68,6 +68,17 @@ bool SubSteps::settle() HAPTICS_RT {
   search_.trust = INFINITY;
   return true;
 }
+/// Whether the contacts that bear the tool face in different directions. A tool on a plane is nearer
+/// by no more than its rest gap, which it keeps.
+bool SubSteps::jams() const HAPTICS_RT {
+  const auto normal = [&](int j) {
+    return rows_.begin()[here_.allowed.bearing[static_cast<std::size_t>(j)]].n_W;
+  };
+  for (int j = 1; j < here_.allowed.active; ++j)
+    for (int k = 0; k < j; ++k)
+      if (normal(j).dot(normal(k)) < C::kJam) return true;
+  return false;
+}
 /// Goes back to the proxy, with the contacts that it has. The way back is motion too.
 void SubSteps::goBack() HAPTICS_RT {
   proxy_.clearance.moved(search_.way, search_.turned);
@@ -186,6 +197,7 @@ bool SubSteps::follow() HAPTICS_RT {
   const bool there = limit.share * length <= least, tried = triedEnough();
   if (!there && tried) followed_ = inOneStep(lag) || gone_ < lengths().step_free;
   const int longest = C::kLongestSearch * given_.scene.fineness.sub_steps;
+  if (settles && !jams()) return endSearch();
   if (there || (search_.tries >= longest && !settles)) return endSearch();
   if (tried && !settles) return pause();
   // what friction does is not known to the end

@@ -57,6 +57,7 @@ class SubSteps {
   bool stop() HAPTICS_RT;
   bool pause() HAPTICS_RT;
   bool settle() HAPTICS_RT;
+  bool jams() const HAPTICS_RT;
   void goBack() HAPTICS_RT;
   bool endSearch() HAPTICS_RT;
   bool triedEnough() const HAPTICS_RT;
