@@ -68,8 +68,8 @@ bool SubSteps::settle() HAPTICS_RT {
   search_.trust = INFINITY;
   return true;
 }
-/// Whether the contacts that bear the tool face in different directions. A tool on a plane is nearer
-/// by no more than its rest gap, which it keeps.
+/// Whether the contacts that bear the tool face in different directions. A tool on a plane is
+/// nearer by no more than its rest gap, which it keeps.
 bool SubSteps::jams() const HAPTICS_RT {
   const auto normal = [&](int j) {
     return rows_.begin()[here_.allowed.bearing[static_cast<std::size_t>(j)]].n_W;
