@@ -238,16 +238,6 @@ bool gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind norm
   return true;
 }
 
-void joinExactRows(const Contacts& contacts, const SurfaceRows& surface, double gap,
-                   MotionRows& rows) HAPTICS_RT {
-  rows.clear();
-  for (const Contact& contact : contacts) rows.push({contact.n_W, contact.r_W, contact.gap - gap});
-  for (const int i : surface.chosen) {
-    const RowCandidate& point = surface.candidates[static_cast<std::size_t>(i)];
-    rows.push({-point.exact_W.normalized(), point.r_W, point.gap - gap});
-  }
-}
-
 void joinRows(const Contacts& contacts, const SurfaceRows& surface, const Tolerances& lengths,
               MotionRows& rows) HAPTICS_RT {
   rows.clear();

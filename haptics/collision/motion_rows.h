@@ -54,11 +54,6 @@ using MotionRows = FixedVector<MotionRow, kMostSurfaceRows + Contacts::capacity(
 bool gatherRows(const NearTool& tool, const Tolerances& lengths, NormalKind normal,
                 const Plan& plan, SurfaceRows& surface, Budget& budget) HAPTICS_RT;
 
-/// Makes the rows of a proxy that settles: those of joinRows(), but all with the exact normal of
-/// their cell and room down to `gap` [m] from the surface.
-void joinExactRows(const Contacts& contacts, const SurfaceRows& surface, double gap,
-                   MotionRows& rows) HAPTICS_RT;
-
 /// Makes all rows of step 3: one for every contact that stands in the way (exact normal of its
 /// cell), and the rows of `surface`.
 void joinRows(const Contacts& contacts, const SurfaceRows& surface, const Tolerances& lengths,

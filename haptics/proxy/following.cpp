@@ -73,7 +73,7 @@ Following::Course Following::consider(const Arrival& here, const MotionRows& row
     judge(here, distance, step);
     search_.fresh = false;
   }
-  if (search_.atTaken() && !search_.settling) bear(here.allowed, rows);
+  if (search_.atTaken()) bear(here.allowed, rows);
   return waits_ ? Course::Over : Course::On;
 }
 
@@ -100,13 +100,10 @@ std::optional<Following::Course> Following::wait(double distance, double step) H
 void Following::judge(const Arrival& here, double distance, double step) HAPTICS_RT {
   if (search_.atTaken())
     state_.filter.start(distance, step);
-  else if (waits_            ? !state_.filter.takeOnTheWay(distance, step)
-           : search_.settles ? !state_.filter.settle(distance, step)
-                             : !state_.filter.take(distance, step))
+  else if (waits_ ? !state_.filter.takeOnTheWay(distance, step)
+                  : !state_.filter.take(distance, step))
     return;
   if (state_.held) state_.catch_up.take();
-  if (!search_.atTaken()) search_.settled = false;
-  gone_ += search_.way + given_.radius() * search_.turned;
   proxy_.X_WP = search_.X;
   proxy_.turn = here.turn;
   search_.take(proxy_.contacts);
@@ -122,7 +119,8 @@ void Following::bear(const ConstrainedMotion& allowed, const MotionRows& rows) H
   }
 }
 
-Following::Limit Following::limit(const Arrival& here, bool bears) const HAPTICS_RT {
+Following::Limit Following::limit(const Arrival& here) const HAPTICS_RT {
+  const bool bears = here.allowed.active > 0;
   if (!state_.held) return {.arrives = !bears};
   if (bears) return {.share = state_.catch_up.shareOf(here.allowed.whitened)};
   const Vector6& left = state_.catch_up.left();

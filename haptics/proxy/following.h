@@ -65,10 +65,7 @@ class Following {
     bool arrives = false;           ///< at the device: neither contacts nor the speed limit the way
     std::optional<Twist> way = {};  ///< instead of the allowed motion
   };
-  /// `bears`: the allowed motion ends at contacts, not at the device.
-  Limit limit(const Arrival& here, bool bears) const HAPTICS_RT;
-  /// m: how far the proxy went in this tick, from pose to pose that it took.
-  double gone() const HAPTICS_RT { return gone_; }
+  Limit limit(const Arrival& here) const HAPTICS_RT;
 
   /// Takes the device's pose, to which the whole way is free.
   void arrive(const Twist& way) HAPTICS_RT;
@@ -92,7 +89,6 @@ class Following {
   FollowingState& state_;
   Search& search_;
   CatchUp::Place place_;
-  double gone_ = 0.0;
   bool waits_ = false;  ///< the pose is a place to wait, on the way to a better one
 };
 

@@ -82,16 +82,6 @@ class PoseFilter {
     keep(distance, step);
     return true;
   }
-  /// Like take(), for a pose at which the proxy settles. Of the energy that it releases only as
-  /// much is kept as lifting one contact again may raise: in a notch the proxy then stays, where it
-  /// would settle and be lifted in turn.
-  bool settle(double distance, double step) HAPTICS_RT {
-    if (!wouldTake(distance, step)) return false;
-    const double saved = saved_ + C::kLent * tolerance_ * last_;
-    keep(distance, step);
-    saved_ = std::min(saved_, saved);
-    return true;
-  }
   /// Whether take() would take it.
   bool wouldTake(double distance, double step) const HAPTICS_RT {
     if (distance == 0.0) return true;

@@ -52,11 +52,6 @@ struct Search {
   double advance = 0.0;
   int halvings = 0;
 
-  // where no pose was nearer (SubSteps::settle)
-  bool settling = false;  ///< the next step lets the proxy settle
-  bool settles = false;   ///< the step to X does
-  bool settled = false;   ///< it has been tried at the pose that was taken last
-
   double trust = INFINITY;  ///< m: longest step to try in this search
   int tries = 0;            ///< motions in this search that contacts shaped or stopped
 
@@ -78,7 +73,6 @@ struct Search {
     advance = 0.0;
     trust = INFINITY;
     tries = 0;
-    settling = settles = settled = false;
     take(proxy.contacts);
   }
 };

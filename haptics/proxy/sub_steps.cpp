@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "haptics/collision/free_way.h"
 #include "haptics/collision/motion.h"
@@ -54,49 +53,13 @@ bool SubSteps::stop() HAPTICS_RT {
   stopped_ = true;
   return false;
 }
-/// A proxy that got no nearer in this tick lets its contacts come closer than a rest gap, once. It
-/// goes there if it may take that pose, and the search begins again. Friction holds a tool without
-/// contradicting any normal, so with friction a still proxy stays as it is.
-bool SubSteps::settle() HAPTICS_RT {
-  if (given_.coupling.friction > 0.0) return false;
-  const bool stopped = following_.gone() <= C::kStopped * lengths().rest_gap;
-  if (!stopped || settled_ || search_.settled || !outside_ || proxy_.bearing.empty()) return false;
-  if (!search_.atTaken()) goBack();
-  settled_ = search_.settled = search_.settling = true;
-  search_.stage = Stage::Look;
-  search_.fresh = false;
-  search_.trust = INFINITY;
-  return true;
-}
-/// Whether the contacts that bear the tool face in different directions. A tool on a plane is
-/// nearer by no more than its rest gap, which it keeps.
-bool SubSteps::jams() const HAPTICS_RT {
-  const auto normal = [&](int j) {
-    return rows_.begin()[here_.allowed.bearing[static_cast<std::size_t>(j)]].n_W;
-  };
-  for (int j = 1; j < here_.allowed.active; ++j)
-    for (int k = 0; k < j; ++k)
-      if (normal(j).dot(normal(k)) < C::kJam) return true;
-  return false;
-}
-/// Goes back to the proxy, with the contacts that it has. The way back is motion too.
-void SubSteps::goBack() HAPTICS_RT {
-  proxy_.clearance.moved(search_.way, search_.turned);
-  proxy_.contacts = search_.contacts_taken;
-  search_.X = proxy_.X_WP;
-  search_.advance = 0.0;
-  search_.take(proxy_.contacts);
-}
-
 /// The tick's tries are used up. The next tick goes on, and for it the pose is a new one.
 bool SubSteps::pause() HAPTICS_RT {
-  if (settle()) return false;
   search_.fresh = true;
   paused_ = true;
   return stop();
 }
 bool SubSteps::endSearch() HAPTICS_RT {
-  if (settle()) return false;
   search_.stage = Stage::Done;
   return false;
 }
@@ -146,10 +109,7 @@ bool SubSteps::findContacts() HAPTICS_RT {
     return stop();
   if (proxy_.second_look != nullptr)
     proxy_.second_look->gathered(tool(), lengths(), proxy_.surface, budget_);
-  if (search_.settling)
-    joinExactRows(proxy_.contacts, proxy_.surface, C::kSettledGap * lengths().rest_gap, rows_);
-  else
-    joinRows(proxy_.contacts, proxy_.surface, lengths(), rows_);
+  joinRows(proxy_.contacts, proxy_.surface, lengths(), rows_);
   return true;
 }
 
@@ -166,7 +126,7 @@ bool SubSteps::collect(double reach) HAPTICS_RT {
 /// budget gets on.
 bool SubSteps::constrain() HAPTICS_RT {
   if (!budget_.left()) return stop();
-  const Twist aimed = search_.settling ? shortened(here_.lag) : limited(here_.lag);
+  const Twist aimed = limited(here_.lag);
   const Mat3 R = search_.X.linear();
   here_.allowed = constrainedMotion(aimed, {rows_.begin(), rows_.size()}, given_.metric, R);
   budget_.counts.pivots += here_.allowed.pivots;
@@ -188,18 +148,16 @@ bool SubSteps::follow() HAPTICS_RT {
       return endSearch();
   }
   const Twist& lag = here_.lag;
-  const bool settles = search_.settles = std::exchange(search_.settling, false);
-  search_.bears = settles || here_.allowed.active > 0;
-  const Following::Limit limit = following_.limit(here_, search_.bears);
+  const Following::Limit limit = following_.limit(here_);
   const Twist way = limit.way ? limited(*limit.way) : here_.allowed.twist;
+  search_.bears = here_.allowed.active > 0;
   // even the last billionth of a metre of free space is gone
   const double length = given_.reachOf(way), least = limit.arrives ? 0.0 : lengths().least_way;
   const bool there = limit.share * length <= least, tried = triedEnough();
   if (!there && tried) followed_ = inOneStep(lag) || gone_ < lengths().step_free;
-  const int longest = C::kLongestSearch * given_.scene.fineness.sub_steps;
-  if (settles && !jams()) return endSearch();
-  if (there || (search_.tries >= longest && !settles)) return endSearch();
-  if (tried && !settles) return pause();
+  if (there || search_.tries >= C::kLongestSearch * given_.scene.fineness.sub_steps)
+    return endSearch();
+  if (tried) return pause();
   // what friction does is not known to the end
   if (budget_.cut()) return stop();
   search_.X_goal = given_.X_WD;
@@ -368,11 +326,6 @@ double SubSteps::shareOfOneStep(const Twist& motion) const HAPTICS_RT {
   if (angle * share > C::kLargestTurn) share = C::kLargestTurn / angle;
   return share;
 }
-/// A motion to where a proxy may settle.
-Twist SubSteps::shortened(const Twist& motion) const HAPTICS_RT {
-  const double most = C::kSettle * lengths().rest_gap, length = given_.reachOf(motion);
-  return length > most ? scaled(motion, most / length) : motion;
-}
 Twist SubSteps::limited(const Twist& motion) const HAPTICS_RT {
   const double share = shareOfOneStep(motion);
   return share < 1.0 ? scaled(motion, share) : motion;
@@ -386,7 +339,9 @@ void SubSteps::end(TickResult& result) HAPTICS_RT {
     result.cut = result.cut || !paused_;
     if (!paused_) result.followed = gone_ > 0.0;
   } else if (!search_.atTaken()) {
-    goBack();
+    // with the contacts with which it was; the way back is motion too
+    proxy_.clearance.moved(search_.way, search_.turned);
+    proxy_.contacts = search_.contacts_taken;
   }
 }
 

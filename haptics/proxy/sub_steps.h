@@ -56,13 +56,9 @@ class SubSteps {
   bool keep(const Contact& contact) HAPTICS_RT;
   bool stop() HAPTICS_RT;
   bool pause() HAPTICS_RT;
-  bool settle() HAPTICS_RT;
-  bool jams() const HAPTICS_RT;
-  void goBack() HAPTICS_RT;
   bool endSearch() HAPTICS_RT;
   bool triedEnough() const HAPTICS_RT;
   double shareOfOneStep(const Twist& motion) const HAPTICS_RT;
-  Twist shortened(const Twist& motion) const HAPTICS_RT;
   Twist limited(const Twist& motion) const HAPTICS_RT;
   bool inOneStep(const Twist& motion) const HAPTICS_RT { return shareOfOneStep(motion) == 1.0; }
 
@@ -77,7 +73,6 @@ class SubSteps {
   MotionRows rows_;
   int tries_ = 0;         // motions that a contact shaped or stopped, in this tick
   double gone_ = 0.0;     // m: the farthest point, in it
-  bool settled_ = false;  // in this tick
   bool outside_ = true;   // no pose was found inside
   bool followed_ = true;  // as far as the search has ended
   bool stopped_ = false;  // the search goes on in the next tick

@@ -34,14 +34,6 @@ struct TouchConstants {
   static constexpr double kBeyondImpact = 3.0;
   /// Of the last length, where nothing was met.
   static constexpr double kLonger = 2.0;
-  /// Rest gaps. A proxy that went no farther in a tick has stopped, and settles.
-  static constexpr double kStopped = 0.1;
-  /// Rest gaps that a step goes at most by which it settles: rows are true of a short way.
-  static constexpr double kSettle = 4.0;
-  /// Cosine between the normals of two contacts beyond which they jam a tool: 8 degrees.
-  static constexpr double kJam = 0.99;
-  /// Of the rest gap, which a proxy that has settled keeps.
-  static constexpr double kSettledGap = 0.1;
   /// How often a step that ends inside is halved before it is undone.
   static constexpr int kHalvings = 5;
 
