@@ -35,7 +35,7 @@ std::optional<VolumeHash> hashHere(const haptics::Volume& volume) {
 
 std::optional<std::string> openHashOf(const haptics::Volume& volume) {
 #ifdef PALPATE_READERS
-  return openHashOfVoxels(volume);
+  return openHashOfVoxels(volume, interruption());
 #else
   (void)volume;
   return {};

@@ -387,6 +387,7 @@ Outcome run(const RunOptions& options) {
     }
     if (options.open_hash) {
       const auto hash = openHashOf(**volume);
+      if (interrupted()) return stopped();
       if (!hash) return failed("This build has no open hash; use one with the window.");
       about["voxels_sha256"] = *hash;
       tell(

@@ -156,6 +156,10 @@ class Recorder::Writer {
     const std::scoped_lock lock(mutex_);
     identified_.emplace_back(scene, hash);
   }
+  void stateVoxels(const std::string& sha256) {
+    const std::scoped_lock lock(mutex_);
+    voxels_ = sha256;
+  }
   void hurry() {
     {
       const std::scoped_lock lock(mutex_);
@@ -210,6 +214,7 @@ class Recorder::Writer {
   std::vector<Event> told_;
   std::vector<Described> described_;
   std::vector<std::pair<std::uint64_t, VolumeHash>> identified_;
+  std::string voxels_;
   RecorderStatus status_;
 
   // the writing thread's own
@@ -294,8 +299,10 @@ bool Recorder::Writer::commit() {
   std::vector<Described> scenes;
   std::vector<std::pair<std::uint64_t, VolumeHash>> identified;
   std::vector<Event> told;
+  std::string voxels;
   {
     const std::scoped_lock lock(mutex_);
+    voxels.swap(voxels_);
     scenes.swap(described_);
     identified.swap(identified_);
     told.swap(told_);
@@ -317,6 +324,13 @@ bool Recorder::Writer::commit() {
   Statement hash = database_->prepare("UPDATE scene SET volume_hash = ? WHERE id = ?");
   for (const auto& [id, value] : identified)
     if (!hash.bind(1, std::span{value}).bind(2, static_cast<std::int64_t>(id)).run()) return false;
+  if (!voxels.empty() &&
+      !database_
+           ->prepare(
+               "UPDATE meta SET value = json_set(value, '$.voxels_sha256', ?) WHERE key = 'about'")
+           .bind(1, std::string_view{voxels})
+           .run())
+    return false;
   if (!database_->run("COMMIT")) return false;
   written_ += static_cast<std::int64_t>(steps_.size());
   events_.clear();
@@ -537,6 +551,7 @@ void Recorder::describe(std::shared_ptr<const haptics::Scene> scene, std::string
   writer_->tell(Writer::Described{std::move(scene), std::move(tool)});
 }
 void Recorder::identify(std::uint64_t scene, const VolumeHash& hash) { writer_->tell(scene, hash); }
+void Recorder::stateVoxels(const std::string& sha256) { writer_->stateVoxels(sha256); }
 void Recorder::hurry() { writer_->hurry(); }
 void Recorder::note(std::string kind, std::string text) {
   writer_->tell(Writer::Event{.time_ns = haptics::monotonicNs() - writer_->ring.begun(),

@@ -67,6 +67,8 @@ class Recorder {
   void describe(std::shared_ptr<const haptics::Scene> scene, std::string tool);
   /// Adds the hash of the volume of a described scene, once it is known.
   void identify(std::uint64_t scene, const VolumeHash& hash);
+  /// States which voxels are touched: openHashOfVoxels().
+  void stateVoxels(const std::string& sha256);
   /// Records an event of this moment: "mark" with a note, "camera", "device".
   void note(std::string kind, std::string text);
   RecorderStatus status() const;

@@ -125,14 +125,17 @@ std::optional<VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray
   return withMark(key, code.result());
 }
 
-std::string openHashOfVoxels(const haptics::Volume& volume) {
+std::optional<std::string> openHashOfVoxels(const haptics::Volume& volume,
+                                            const std::atomic<bool>& cancel) {
   const haptics::Volume& scan = volume.derivation ? *volume.derivation->scan : volume;
   QCryptographicHash hash(QCryptographicHash::Sha256);
   const auto* voxels = static_cast<const char*>(scan.voxels.get());
   const auto bytes =
       static_cast<qint64>(scan.grid.voxelCount()) * static_cast<qint64>(haptics::sizeOf(scan.type));
-  for (qint64 at = 0; at < bytes; at += kChunk)
+  for (qint64 at = 0; at < bytes; at += kChunk) {
+    if (cancel) return {};
     hash.addData(QByteArrayView{voxels + at, qsizetype(std::min(kChunk, bytes - at))});
+  }
   return hash.result().toHex().toStdString();
 }
 

@@ -31,7 +31,9 @@ std::optional<VolumeHash> hashOf(const haptics::Volume& volume, const QByteArray
 
 /// SHA-256 of the scan's voxels alone, as they lie in memory: little-endian numbers of their type,
 /// i fastest. In hexadecimal. Everybody who has the voxels can make it, so it identifies a scan.
-std::string openHashOfVoxels(const haptics::Volume& volume);
+/// Nullopt once `cancel` is true.
+std::optional<std::string> openHashOfVoxels(const haptics::Volume& volume,
+                                            const std::atomic<bool>& cancel);
 
 /// The keyed hash of a file, such as a tool's. Nullopt if it cannot be read or is larger than 1 GB.
 std::optional<VolumeHash> hashOfFile(const std::filesystem::path& path, const QByteArray& key);

@@ -6120,6 +6120,14 @@
         <source>The next recording and its exports then hold date and time, to join them with other devices. A date can tell who the patient is.</source>
         <translation>Die nächste Aufzeichnung und ihre Exporte enthalten dann Datum und Uhrzeit, um sie mit anderen Geräten zu verbinden. Ein Datum kann verraten, wer der Patient ist.</translation>
     </message>
+    <message>
+        <source>State which scan it is</source>
+        <translation>Angeben, welche Aufnahme es ist</translation>
+    </message>
+    <message>
+        <source>The next recording and its exports then hold an open hash, by which anybody who has this scan recognises it.</source>
+        <translation>Die nächste Aufzeichnung und ihre Exporte enthalten dann eine offene Prüfsumme, an der jeder, der diese Aufnahme hat, sie wiedererkennt.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ReplayBar</name>

@@ -97,6 +97,7 @@ RecordingPanel::RecordingPanel(QWidget* parent)
     : QWidget(parent),
       record_(new QPushButton),
       when_(new QCheckBox(tr("State when it began"))),
+      scan_(new QCheckBox(tr("State which scan it is"))),
       elapsed_(new Figure(tr("Time recorded"))),
       state_(wrappedLabel("recordState")),
       samples_(label("recordSamples")),
@@ -165,6 +166,10 @@ QWidget* RecordingPanel::buildFigures() {
   when_->setToolTip(
       tr("The next recording and its exports then hold date and time, to join them with other "
          "devices. A date can tell who the patient is."));
+  scan_->setObjectName("recordScan");
+  scan_->setToolTip(
+      tr("The next recording and its exports then hold an open hash, by which anybody who has this "
+         "scan recognises it."));
   style::setType(*elapsed_, style::Type::Figure);
   elapsed_->setObjectName("recordElapsed");
   lost_->setWarning(true);
@@ -184,6 +189,7 @@ QWidget* RecordingPanel::buildFigures() {
   grid->addWidget(room_, 3, 2, 1, 2, Qt::AlignRight);
   grid->addWidget(lost_, 4, 0, 1, 4);
   grid->addWidget(when_, 5, 0, 1, 4);
+  grid->addWidget(scan_, 6, 0, 1, 4);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
   return figures;
@@ -234,7 +240,9 @@ QWidget* RecordingPanel::buildList() {
   return all;
 }
 
-bool RecordingPanel::statesWhen() const { return when_->isChecked(); }
+RecordingStates RecordingPanel::states() const {
+  return {.when = when_->isChecked(), .scan = scan_->isChecked()};
+}
 
 void RecordingPanel::setReady(bool ready) {
   ready_ = ready;
@@ -254,7 +262,7 @@ void RecordingPanel::showState() {
   record_->setChecked(records);
   // what has begun can be ended whatever else is
   record_->setEnabled(records || (ready_ && status_.state != State::Finishing));
-  when_->setEnabled(!records);
+  for (QCheckBox* states : {when_, scan_}) states->setEnabled(!records);
   mark_action_->setEnabled(records);
   mark_->setEnabled(records);
   note_->setEnabled(records);

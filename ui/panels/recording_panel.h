@@ -50,6 +50,12 @@ struct PastRecording {
   QString scan = {};        ///< of which scan; empty: not known. A recording itself holds no name
 };
 
+/// What a recording states only where its user wants it to.
+struct RecordingStates {
+  bool when = false;  ///< date and time of its begin
+  bool scan = false;  ///< an open hash of the scan's voxels
+};
+
 /// Records the session and sets marks in it, and lists earlier recordings, each with a label that
 /// the user may give it, its date, duration, tool and a small curve of the force. A mark is set
 /// with the button, with Enter in its note, or with markAction(); all are disabled while nothing is
@@ -73,8 +79,8 @@ class RecordingPanel : public QWidget {
   QAction* markAction() { return mark_action_; }
   /// Chooses a recording of the list.
   void choose(const QString& id);
-  /// Whether the next recording states when it began; off until the user switches it on.
-  bool statesWhen() const;
+  /// What the next recording states; nothing until the user switches it on.
+  RecordingStates states() const;
   /// Asks for an export of the chosen recording; false: none is chosen that can be exported.
   bool exportChosen();
 
@@ -109,6 +115,7 @@ class RecordingPanel : public QWidget {
 
   QPushButton* record_;
   QCheckBox* when_;
+  QCheckBox* scan_;
   QLabel* elapsed_;
   WarningLabel* state_;
   QLabel* samples_;

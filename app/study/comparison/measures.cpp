@@ -203,9 +203,9 @@ int Judge::passages(const Pose& X_from, const Pose& X_to, bool may_go_round) con
         deepest = std::max(deepest, excess / evaluator::slopeAt(*scene_.volume, p_W));
     }
     if (deepest < 0.01 * voxel_) continue;
-    // a coarse lattice finds most ways, a fine one those through slits
+    // a coarse lattice finds most ways, finer ones those through slits
     const auto round = [&](double step) { return wayRound(at(0.0), at(1.0), step * voxel_); };
-    if (!round(0.25) && !round(0.05)) ++count;
+    if (!round(0.25) && !round(0.05) && !round(0.02)) ++count;
   }
   return count;
 }

@@ -149,7 +149,7 @@ void RecordingController::record(bool record) {
   if (!shared_.shown) return;
   emit starting();
   const auto begun = recording_.start(shared_.shown->scene, recordedName(shared_.shown->tool),
-                                      panel_->statesWhen());
+                                      panel_->states());
   if (!begun) {
     panel_->show(ui::RecordingStatus{});
     return messages_.showMessage(sentenceOf(begun.error()));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/recording/facts.h"
+#include "app/recording/volume_hash.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
 
@@ -23,18 +24,28 @@ SessionRecording::SessionRecording(haptics::Session& session, const Recordings& 
 SessionRecording::~SessionRecording() { end(); }
 
 haptics::Expected<void> SessionRecording::start(std::shared_ptr<const haptics::Scene> scene,
-                                                const std::string& tool, bool states_when) {
+                                                const std::string& tool,
+                                                ui::RecordingStates states) {
   if (recorder_ != nullptr || finisher_.isRunning())
     return tl::unexpected(haptics::Error{
         haptics::Error::Kind::Unsupported,
         tr("The last recording is being finished; try again in a moment.").toStdString(), "busy"});
   target_ = recordings_.next();
   auto recorder = Recorder::create(
-      target_, recordingFacts("palpate", states_when ? beganNow() : nlohmann::ordered_json{}),
+      target_, recordingFacts("palpate", states.when ? beganNow() : nlohmann::ordered_json{}),
       {.rate = session_.rate()});
   if (!recorder) return tl::unexpected(recorder.error());
   recorder_ = std::move(*recorder);
   stopping_ = false;
+  if (states.scan)
+    hasher_.start(
+        [volume = scene->volume,
+         recorder = recorder_](const background::Watch& watch) -> haptics::Expected<std::string> {
+          const auto hash = openHashOfVoxels(*volume, watch.cancel);
+          if (hash) recorder->stateVoxels(*hash);
+          return hash.value_or("");
+        },
+        [](const auto&) {});
   describe(std::move(scene), tool);
   session_.record({recorder_, &recorder_->ring()});
   clock_.start();
@@ -53,6 +64,7 @@ void SessionRecording::stop() {
 
 void SessionRecording::end() {
   stop();
+  hasher_.wait();
   finisher_.wait();
   if (recorder_ != nullptr) recorder_->finish();
   recorder_.reset();
@@ -86,7 +98,8 @@ void SessionRecording::refresh() {
   if (recorder_ == nullptr) return;
   // what is left waits for the servo thread to leave the ring, and for the volume's hash
   if (stopping_) {
-    const bool identified = scenes_.empty() || clock_.elapsed() > kLongestHashMs;
+    const bool identified =
+        !hasher_.isRunning() && (scenes_.empty() || clock_.elapsed() > kLongestHashMs);
     if (session_.hasLeftRing() && identified) finish();
     return;
   }

@@ -25,13 +25,13 @@ class SessionRecording : public QObject {
                    VolumeIdentity& identity, QObject* parent = nullptr);
   ~SessionRecording() override;
 
-  /// Begins a recording. `scene` is the session's scene. `states_when`: the recording holds the
-  /// time at which it began.
+  /// Begins a recording. `scene` is the session's scene. `states`: what the recording states
+  /// besides; which scan it is, of the scan that is on view now.
   haptics::Expected<void> start(std::shared_ptr<const haptics::Scene> scene,
-                                const std::string& tool, bool states_when = false);
+                                const std::string& tool, ui::RecordingStates states = {});
   /// Ends the recording of ticks. Another thread finishes the file.
   void stop();
-  /// Ends the recording and waits until the file is complete. The session must have been closed.
+  /// Ends the recording and waits until the file is complete, with its hash. The session must have been closed.
   void end();
 
   bool isRecording() const { return recorder_ != nullptr && !stopping_; }
@@ -65,6 +65,7 @@ class SessionRecording : public QObject {
   bool stopping_ = false;  ///< stop() was called; the servo thread may still use the ring
   QElapsedTimer clock_, shown_;
   double elapsed_ = 0.0;                              ///< s, length when it was stopped
+  background::Task<std::string> hasher_;              ///< makes the open hash
   background::Task<std::filesystem::path> finisher_;  ///< finishes a file
 };
 

@@ -170,18 +170,23 @@ TEST(RecordingPanel, SaysHowTheRecordingComesAlong) {
   EXPECT_TRUE(p.record->isEnabled());
 }
 
-TEST(RecordingPanel, WhenItBeganIsStatedOnlyIfThatIsSwitchedOn) {
+TEST(RecordingPanel, WhenItBeganAndWhichScanItIsAreStatedOnlyIfThatIsSwitchedOn) {
   Panel p;
   auto* when = p.panel.findChild<QCheckBox*>("recordWhen");
   ASSERT_NE(when, nullptr);
-  EXPECT_FALSE(p.panel.statesWhen());
+  EXPECT_FALSE(p.panel.states().when || p.panel.states().scan);
   EXPECT_TRUE(when->toolTip().contains("who the patient is"));
   QTest::mouseClick(when, Qt::LeftButton, {}, {8, when->height() / 2});
-  EXPECT_TRUE(p.panel.statesWhen());
+  EXPECT_TRUE(p.panel.states().when && !p.panel.states().scan);
+  auto* scan = p.panel.findChild<QCheckBox*>("recordScan");
+  ASSERT_NE(scan, nullptr);
+  EXPECT_TRUE(scan->toolTip().contains("recognises it"));
+  QTest::mouseClick(scan, Qt::LeftButton, {}, {8, scan->height() / 2});
+  EXPECT_TRUE(p.panel.states().when && p.panel.states().scan);
   p.panel.show(running());  // too late
-  EXPECT_FALSE(when->isEnabled());
+  EXPECT_FALSE(when->isEnabled() || scan->isEnabled());
   p.panel.show(ui::RecordingStatus{});
-  EXPECT_TRUE(when->isEnabled() && p.panel.statesWhen());
+  EXPECT_TRUE(when->isEnabled() && scan->isEnabled() && p.panel.states().when);
 }
 
 TEST(RecordingPanel, RoomIsRoundedDown) {

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCryptographicHash>
 #include <QDateTime>
 #include <QElapsedTimer>
 #include <QFile>
@@ -26,6 +27,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "app/application.h"
@@ -129,6 +131,8 @@ TEST(RecordedSession, IsRecordedMarkedAndReplayedToTheBit) {
   EXPECT_EQ(recording->lostCount(), 0);
   ASSERT_EQ(recording->scenes().size(), 1U);
   EXPECT_TRUE(recording->scenes().front().hash);
+  for (const char* only_if_wanted : {"began_unix_ns", "voxels_sha256"})
+    EXPECT_EQ(recording->about().find(only_if_wanted), std::string::npos);
   int marks = 0, hands = 0, cameras = 0;
   for (const app::RecordedEvent& event : recording->events()) {
     marks += event.kind == "mark" && event.text == "a rough place";
@@ -812,13 +816,21 @@ TEST(RecordedSession, ThatWasNeverFinishedIsAsLargeAsItsLogIs) {
   EXPECT_EQ(listed[0].bytes, 4 + 17);
 }
 
-TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
+TEST(RecordedSession, EndsWholeWhenTheWindowClosesAndStatesWhichScanItIsWhereThatIsWanted) {
   const QTemporaryDir folder;
+  QByteArray voxels;
   {
     app::Application application(recordedSphere(folder));
     application.start();
     ASSERT_TRUE(waitFor([&] { return application.snapshot().scene != 0; }));
-    emit application.window().findChild<ui::RecordingPanel*>()->recordWanted(true);
+    const haptics::Volume& scan = *application.shown()->picture.volume;
+    voxels = QCryptographicHash::hash(
+        QByteArrayView{static_cast<const char*>(scan.voxels.get()),
+                       qsizetype(scan.grid.voxelCount() * haptics::sizeOf(scan.type))},
+        QCryptographicHash::Sha256);
+    auto* panel = application.window().findChild<ui::RecordingPanel*>();
+    child<QCheckBox>(*panel, "recordScan")->setChecked(true);
+    emit panel->recordWanted(true);
     ASSERT_TRUE(isWritten(application, 300));
     application.window().close();
   }
@@ -826,6 +838,10 @@ TEST(RecordedSession, EndsWholeWhenTheWindowCloses) {
   const auto recording = app::Recording::open(filesIn(folder).front());
   ASSERT_TRUE(recording) << sentence(recording.error());
   EXPECT_GT(recording->stepCount(), 300);
+  const auto about = nlohmann::json::parse(recording->about());
+  EXPECT_EQ(about.value("voxels_sha256", ""), voxels.toHex().toStdString());
+  EXPECT_EQ(about.value("program", ""), "palpate");
+  EXPECT_FALSE(about.contains("began_unix_ns"));
 }
 
 TEST(RecordedSession, GoesOnThroughAnotherToolVolumeAndHand) {

@@ -396,9 +396,10 @@ TEST_F(Words, KeepApartAroundToolAndCardAndStandOnPlatesWhereTheBodyFillsTheView
     const QImage image = view.picture(1.0);
     window::keep(image, "words_plates");
     for (const QRectF& box : view.wordBoxes())
-      if (box.height() < 40.0)
+      if (box.height() < 40.0) {
         EXPECT_EQ(image.pixelColor(QPointF(box.left() + 1.5, box.center().y()).toPoint()),
                   ui::style::kViewGround);
+      }
   }
 }
 
