@@ -6,6 +6,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
+#include "datasets/labels/label_file.h"
 #include "datasets/readers/volume_reader.h"
 #include "resources/messages/messages.h"
 
@@ -85,7 +86,30 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
   json["message"] = message;
 }
 
-Outcome info(const VolumeChoice& options) {
+struct InfoOptions {
+  VolumeChoice volume;
+  std::vector<std::string> labels;
+  bool names = false;
+};
+
+/// The structures of a label map. Names only where they are asked for: a file's can be patient
+/// text.
+ordered_json listed(const datasets::LabelMap& labels, bool names) {
+  const double voxel_mm3 = 1e9 * labels.grid().spacing.prod();
+  ordered_json all = ordered_json::array();
+  for (const datasets::Structure& structure : labels.structures()) {
+    ordered_json one{{"number", all.size() + 1}};
+    if (names) one["name"] = structure.name;
+    one["colour"] = structure.colour;
+    one["voxels"] = structure.voxels;
+    one["volume_mm3"] = double(structure.voxels) * voxel_mm3;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+Outcome info(const InfoOptions& all) {
+  const VolumeChoice& options = all.volume;
   if (std::filesystem::path(options.path).extension() == ".palpate")
     return refused(
         {haptics::Error::Kind::Unsupported, {"info-recording", {options.path}}, "unreadable"});
@@ -135,21 +159,34 @@ Outcome info(const VolumeChoice& options) {
     return refused(volume.error(), json);
   }
   describe(*volume, only, json);
+  for (const std::string& path : all.labels) {
+    const auto labels = datasets::readLabels(path, *volume, progress);
+    if (!labels) return refused(labels.error());
+    json["labels"].push_back({{"structures", listed(*labels, all.names)}});
+  }
   return {Exit::Done, json, {}, {}};
 }
 
 }  // namespace
 
 void addInfo(CLI::App& program, Chosen& chosen) {
-  auto options = std::make_shared<VolumeChoice>();
+  auto options = std::make_shared<InfoOptions>();
   CLI::App* command =
       program.add_subcommand("info", "Describe a scan, and whether its geometry can be trusted");
   command
-      ->add_option("path", options->path,
+      ->add_option("path", options->volume.path,
                    "Folder, archive, or file (DICOM, NRRD, MetaImage, NIfTI)")
       ->required()
       ->check(notEmpty());
-  addReading(*command, *options);
+  addReading(*command, options->volume);
+  command
+      ->add_option("--labels", options->labels,
+                   "A label map of the scan (.seg.nrrd, NRRD, MetaImage, NIfTI); repeat it for "
+                   "more than one")
+      ->allow_extra_args(false)
+      ->check(notEmpty());
+  command->add_flag("--names", options->names,
+                    "Print the names of structures too; they can say who the patient is");
   command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
 }
 

@@ -28,6 +28,7 @@ _palpate_cli() {
     "info --series") compopt -o default; return ;;
     "info --every") compopt -o default; return ;;
     "info --box") compopt -o default; return ;;
+    "info --labels") compopt -o default; return ;;
     "convert --phantom") compopt -o default; return ;;
     "convert --series") compopt -o default; return ;;
     "convert --every") compopt -o default; return ;;
@@ -141,7 +142,7 @@ _palpate_cli() {
   esac
   case "$command" in
     "") mapfile -t COMPREPLY < <(compgen -W "info convert cohort devices tool run replay recover surface export study -h --help --version" -- "$word") ;;
-    "info") mapfile -t COMPREPLY < <(compgen -W "-h --help --series --correct --largest-part --every --box --json" -- "$word") ;;
+    "info") mapfile -t COMPREPLY < <(compgen -W "-h --help --series --correct --largest-part --every --box --labels --names --json" -- "$word") ;;
     "convert") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
     "cohort") mapfile -t COMPREPLY < <(compgen -W "merge -h --help --isovalue --tool --hand --repetitions --seconds --stiffness --angular-stiffness --friction --field --normals --epsilon --sub-steps --budget --rate --seed --tool-mesh --tool-unit --shard --jobs --plan --json" -- "$word") ;;
     "cohort merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --before --isovalue --tool --hand --repetitions --seconds --stiffness --angular-stiffness --friction --field --normals --epsilon --sub-steps --budget --rate --seed --tool-mesh --tool-unit --json" -- "$word") ;;

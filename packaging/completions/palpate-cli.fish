@@ -19,6 +19,8 @@ complete -c palpate-cli -n '__fish_seen_subcommand_from info' -l correct -d 'Res
 complete -c palpate-cli -n '__fish_seen_subcommand_from info' -l largest-part -d 'If slices are missing, read the largest part without a gap'
 complete -c palpate-cli -n '__fish_seen_subcommand_from info' -l every -r -F -d 'Read only every N-th voxel along each axis'
 complete -c palpate-cli -n '__fish_seen_subcommand_from info' -l box -r -F -d 'Read a box of voxels - first index and the one after the last, along i, j and k'
+complete -c palpate-cli -n '__fish_seen_subcommand_from info' -l labels -r -F -d 'A label map of the scan (.seg.nrrd, NRRD, MetaImage, NIfTI); repeat it for more than one'
+complete -c palpate-cli -n '__fish_seen_subcommand_from info' -l names -d 'Print the names of structures too; they can say who the patient is'
 complete -c palpate-cli -n '__fish_seen_subcommand_from info' -l json -d 'Print one JSON object and nothing else'
 complete -c palpate-cli -n '__fish_seen_subcommand_from convert' -l help -s h -d 'Print this help message and exit'
 complete -c palpate-cli -n '__fish_seen_subcommand_from convert' -l phantom -r -F -d 'A named phantom instead of PATH'

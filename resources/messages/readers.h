@@ -430,6 +430,29 @@ inline constexpr Row kReaders[] = {
     {"nrrd-value-unreadable",
      "Voxel %1 of %2 is written as something that is no value of its type; export it again as raw.",
      "bad-header"},
+    // label maps
+    {"labels-not-whole",
+     "%1 has values that are no whole numbers, so it is no label map; export the segmentation as a "
+     "label map.",
+     "not-labels"},
+    {"labels-none", "%1 marks nothing: all its voxels are 0.", "labels-none"},
+    {"labels-too-many",
+     "%1 has more than 255 structures; choose the file of the segmentation, not the scan, or "
+     "export "
+     "fewer segments.",
+     "labels-too-many"},
+    {"labels-overlap-too-much",
+     "The structures overlap in more than 255 ways; export them as several files.",
+     "labels-too-many"},
+    {"labels-elsewhere", "What %1 marks lies beside the scan; open the scan that was segmented.",
+     "labels-elsewhere"},
+    {"labels-orientation",
+     "The scan or %1 does not state its orientation, so the two cannot be put together; export "
+     "both "
+     "with their orientation.",
+     "orientation-unknown"},
+    {"labels-no-memory", "There is no memory for the structures; close other programs.",
+     "too-large"},
     // any volume, file or folder
     {"volume-evenly-spaced", "One evenly spaced stack."},
     {"volume-orientation-unknown",

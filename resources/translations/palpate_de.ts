@@ -1699,6 +1699,34 @@
         <source>&quot;%1&quot; cannot be recovered: it is damaged, or &quot;%2&quot;, which holds what was recorded, is not beside it; copy both.</source>
         <translation>„%1“ kann nicht wiederhergestellt werden: die Datei ist beschädigt, oder „%2“, worin die Aufzeichnung steht, liegt nicht daneben; kopieren Sie beide.</translation>
     </message>
+    <message>
+        <source>%1 has values that are no whole numbers, so it is no label map; export the segmentation as a label map.</source>
+        <translation>%1 hat Werte, die keine ganzen Zahlen sind, und ist deshalb keine Label-Karte; exportieren Sie die Segmentierung als Label-Karte.</translation>
+    </message>
+    <message>
+        <source>%1 marks nothing: all its voxels are 0.</source>
+        <translation>%1 markiert nichts: Alle seine Voxel sind 0.</translation>
+    </message>
+    <message>
+        <source>%1 has more than 255 structures; choose the file of the segmentation, not the scan, or export fewer segments.</source>
+        <translation>%1 hat mehr als 255 Strukturen; wählen Sie die Datei der Segmentierung, nicht die Aufnahme, oder exportieren Sie weniger Segmente.</translation>
+    </message>
+    <message>
+        <source>The structures overlap in more than 255 ways; export them as several files.</source>
+        <translation>Die Strukturen überlappen sich auf mehr als 255 Arten; exportieren Sie sie als mehrere Dateien.</translation>
+    </message>
+    <message>
+        <source>What %1 marks lies beside the scan; open the scan that was segmented.</source>
+        <translation>Was %1 markiert, liegt neben der Aufnahme; öffnen Sie die Aufnahme, die segmentiert wurde.</translation>
+    </message>
+    <message>
+        <source>The scan or %1 does not state its orientation, so the two cannot be put together; export both with their orientation.</source>
+        <translation>Die Aufnahme oder %1 gibt ihre Lage nicht an, deshalb lassen sich die beiden nicht zusammenbringen; exportieren Sie beide mit ihrer Lage.</translation>
+    </message>
+    <message>
+        <source>There is no memory for the structures; close other programs.</source>
+        <translation>Für die Strukturen ist kein Speicher da; schließen Sie andere Programme.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as an NRRD: all that is done before its voxels are read, the parse by teem included.
+// Any bytes as an NRRD: all that is done before its voxels are read, the parse by teem and the
+// segments that it names included.
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "datasets/labels/segments.h"
 #include "datasets/readers/nrrd/voxels.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scratch_folder.h"
@@ -28,6 +31,18 @@ const support::ScratchFolder& folder() {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto path =
       folder().write("volume.nhdr", std::string_view(reinterpret_cast<const char*>(bytes), size));
+  if (const auto segments = datasets::segmentsOf(path))
+    for (const datasets::Segment& segment : *segments) {
+      const std::string& name = segment.structure.name;
+      fuzz::require(segment.label > 0 && segment.layer >= 0, "a segment lies somewhere");
+      fuzz::require(name.size() <= datasets::Structure::kLongestName &&
+                        std::ranges::none_of(name, [](unsigned char c) { return c < 0x20; }) &&
+                        datasets::shownName(name) == name,
+                    "a name is plain and bounded");
+    }
+  else
+    fuzz::require(!segments.error().message.empty() && !segments.error().reason.empty(),
+                  "a refusal has a sentence and a reason");
   const auto nrrd = datasets::parseNrrd(path);
   if (!nrrd) {
     fuzz::require(!nrrd.error().message.empty() && !nrrd.error().reason.empty(),

@@ -372,6 +372,31 @@ def reads_the_part_that_is_named():
     shutil.rmtree(place)
 
 
+def lists_the_structures_of_label_maps():
+    place = folder / "labels"
+    place.mkdir()
+    call("convert", *SPHERE, place / "v.nrrd")  # 64 voxels of 1 mm each way
+    size, keys = 8, "Segment0_ID:=a\nSegment0_Name:=PLNT^Jane\nSegment0_LabelValue:=7\nSegment0_Color:=1 0 0\n"
+    origin = json.loads(call("info", place / "v.nrrd", "--json").stdout)["origin_mm"]
+    head = ("NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 8 8 8\n"
+            "space directions: (2,0,0) (0,2,0) (0,0,2)\nspace origin: ({},{},{})\nencoding: raw\n")
+    voxels = bytes(7 * (n % size < 4) for n in range(size ** 3))
+    labels = place / "l.seg.nrrd"
+    labels.write_bytes((head.format(*(o + 10.5 for o in origin)) + keys + "\n").encode() + voxels)
+    said = call("info", "--labels", labels, place / "v.nrrd", "--json").stdout
+    check(b"PLNT" not in said, "info prints names unasked")
+    structures = json.loads(said)["labels"][0]["structures"]
+    check(structures == [{"number": 1, "colour": [1.0, 0.0, 0.0], "voxels": 8 * 16 * 16, "volume_mm3": 2048.0}],
+          f"structures {structures}")
+    named = json.loads(call("info", place / "v.nrrd", "--names", "--labels", labels, "--json").stdout)
+    check(named["labels"][0]["structures"][0]["name"] == "PLNT^Jane", f"named {named}")
+    labels.write_bytes((head.format(900, 0, 0) + "\n").encode() + voxels)
+    away = call("info", place / "v.nrrd", "--labels", labels, "--json", code=3)
+    check(b"beside the scan" in away.stderr and json.loads(away.stdout)["reasons"] == ["labels-elsewhere"],
+          f"elsewhere: {away}")
+    shutil.rmtree(place)
+
+
 def lists_series_a_line_each():
     series = pathlib.Path(__file__).resolve().parents[1] / "cases" / "hostile" / "dicom_intercept_twice"
     said = call("info", series, code=3).stdout.decode().splitlines()
@@ -458,7 +483,7 @@ def speaks_one_language():
 
 for test in (is_interrupted, answers_or_fails, is_whole_or_not_there, loses_no_input,
              steers_no_terminal, reads_numbers_whole, starts_the_studies, reads_the_part_that_is_named,
-             lists_series_a_line_each, keeps_one_key, speaks_one_language):
+             lists_series_a_line_each, lists_the_structures_of_label_maps, keeps_one_key, speaks_one_language):
     begun = time.monotonic()
     test()
     print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)

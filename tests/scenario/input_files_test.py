@@ -146,12 +146,14 @@ def main():
 
     # what is no plain file, where one belongs
     place = folder / "place"
+    labelled = folder / "labelled.nrrd"
+    expect(0, "", "convert", "--phantom", "sphere", labelled)
     manifest = ["cohort", place, folder / "cohort-out", "--isovalue", 1000]
     for kind in ("pipe", "folder", "device", "circle", "sparse"):
         for ending, commands in ((".csv", (["tool", place, "--out", out], [*run, place])),
                                  (".stl", (["tool", place, "--out", out],)), (".ply", (["tool", place, "--out", out],)),
                                  (".obj", (["tool", place, "--out", out],)), (".tsv", (manifest,)),
-                                 (".nrrd", (["info", place],)), (".mha", (["info", place],)), (".nii", (["info", place],)),
+                                 (".nrrd", (["info", place], ["info", labelled, "--labels", place])), (".mha", (["info", place],)), (".nii", (["info", place],)),
                                  (".dcm", (["info", place],)), (".zip", (["info", place],)),
                                  (".palpate", (["replay", place, "--phantom", "sphere"],
                                                ["export", place, "--format", "csv", "--out", folder / "x.csv"])),

@@ -68,7 +68,10 @@ Expected<NrrdText> readNrrdText(const fs::path& path) {
     if (!names_data) (skips ? text.skips : text.lines).append(content).append("\n");
     if (content.front() == '#') continue;
     const bool named = colon != content.npos;
-    if (named && content.substr(colon + 1).starts_with('=')) continue;  // key and value
+    if (named && content.substr(colon + 1).starts_with('=')) {
+      text.keys.emplace(content.substr(0, colon), content.substr(colon + 2));
+      continue;
+    }
     // teem writes what it cannot parse into a message of fixed size, with words around it
     if (content.size() > kLongestField && field != "content")
       return malformed("bad-header", {"header-unreadable", {quoted(path)}});

@@ -19,6 +19,7 @@ inline constexpr std::size_t kMostDataFiles = 100'000;  ///< that one header may
 /// The text before the voxels, taken apart and not yet understood.
 struct NrrdText {
   std::map<std::string, std::string> fields;  ///< by lower-case name
+  std::map<std::string, std::string> keys;    ///< "key:=value", as written; of two the first
   std::vector<std::string> listed_files;      ///< the names after "data file: LIST"
   std::string lines;       ///< all but those that name data files or say what to skip in them
   std::string skips;       ///< those that say what to skip

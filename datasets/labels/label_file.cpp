@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/labels/label_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "datasets/labels/segments.h"
+#include "datasets/readers/files/refusal.h"
+#include "datasets/readers/volume_reader.h"
+
+namespace datasets {
+
+namespace fs = std::filesystem;
+using haptics::Expected;
+
+namespace {
+
+/// Colours far apart for neighbouring numbers: the hue goes on by the golden angle.
+std::array<double, 3> colourOf(std::size_t number) {
+  constexpr double kGolden = 0.618033988749895, kPale = 0.35, kBright = 0.95;
+  const double hue = 6.0 * std::fmod(0.02 + kGolden * double(number), 1.0);
+  const auto channel = [&](double of) {
+    const double away = std::abs(std::remainder(hue - of, 6.0));
+    return kBright * (kPale + (1.0 - kPale) * std::clamp(2.0 - away, 0.0, 1.0));
+  };
+  return {channel(0.0), channel(2.0), channel(4.0)};
+}
+
+/// The whole numbers other than 0 in a volume.
+Expected<std::set<std::int64_t>> labelsIn(const haptics::Volume& volume, const fs::path& path) {
+  return haptics::visitVoxels(
+      volume.type, volume.voxels.get(),
+      [&](const auto* voxels) -> Expected<std::set<std::int64_t>> {
+        std::set<std::int64_t> labels;
+        auto last = voxels[0];
+        if (last != 0) labels.insert(std::int64_t(last));
+        for (std::int64_t n = 0; n < volume.grid.voxelCount(); ++n) {
+          if (double(voxels[n]) != std::floor(double(voxels[n])))
+            return unsupported("not-labels", {"labels-not-whole", {quoted(path)}});
+          if (voxels[n] == last) continue;
+          last = voxels[n];
+          if (last != 0) labels.insert(std::int64_t(last));
+          if (labels.size() > kMostStructures)
+            return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
+        }
+        return labels;
+      });
+}
+
+/// Whether two grids have the same voxels, whatever is known of where they lie.
+bool isSame(const haptics::Grid& one, const haptics::Grid& other) {
+  const auto at = [](const haptics::Grid& grid, double i, double j, double k) {
+    return grid.worldOf({i, j, k});
+  };
+  if (one.dims != other.dims) return false;
+  const double most = 1e-3 * one.spacing.minCoeff();
+  for (const double i : {0.0, double(one.dims[0] - 1)})
+    for (const double j : {0.0, double(one.dims[1] - 1)})
+      for (const double k : {0.0, double(one.dims[2] - 1)})
+        if ((at(one, i, j, k) - at(other, i, j, k)).norm() > most) return false;
+  return true;
+}
+
+}  // namespace
+
+Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
+                              const ReadProgress& progress) {
+  const auto survey = datasets::survey(path, progress.part(0.0, 0.02));
+  if (!survey) return tl::unexpected(survey.error());
+  const auto segments = segmentsOf(path);
+  if (!segments) return tl::unexpected(segments.error());
+  auto map = LabelMap::over(scan.grid);
+  if (!map) return tl::unexpected(map.error());
+  // the segments of each layer, by label
+  std::map<std::int64_t, std::map<std::int64_t, std::uint8_t>> named;
+  for (std::size_t n = 0; n < segments->size(); ++n) {
+    const Segment& segment = (*segments)[n];
+    Structure structure = segment.structure;
+    if (!segment.coloured) structure.colour = colourOf(n);
+    named[segment.layer][segment.label] = map->add(std::move(structure));
+  }
+  const auto layers = double(survey->series.size());
+  bool any = false;
+  for (std::size_t layer = 0; layer < survey->series.size(); ++layer) {
+    const auto labels = readVolume(survey->series[layer], {},
+                                   progress.part(0.02 + 0.98 * double(layer) / layers,
+                                                 0.02 + 0.98 * double(layer + 1) / layers));
+    if (!labels) return tl::unexpected(labels.error());
+    if (!(labels->orientation_known && scan.orientation_known) && !isSame(labels->grid, scan.grid))
+      return unsupported("orientation-unknown", {"labels-orientation", {quoted(path)}});
+    auto there = labelsIn(*labels, path);
+    if (!there) return tl::unexpected(there.error());
+    any = any || !there->empty();
+    auto numbers = named[std::int64_t(layer)];
+    // without names each number is a structure
+    if (segments->empty())
+      for (const std::int64_t label : *there) {
+        if (map->structures().size() == kMostStructures)
+          return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
+        numbers[label] = map->add({.colour = colourOf(map->structures().size())});
+      }
+    if (auto added = map->add(*labels, numbers); !added) return tl::unexpected(added.error());
+  }
+  if (!any) return unsupported("labels-none", {"labels-none", {quoted(path)}});
+  if (std::ranges::all_of(map->structures(), [](const Structure& s) { return s.voxels == 0; }))
+    return unsupported("labels-elsewhere", {"labels-elsewhere", {quoted(path)}});
+  return map;
+}
+
+}  // namespace datasets

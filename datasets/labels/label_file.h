@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "datasets/labels/label_map.h"
+#include "datasets/readers/scan.h"
+
+namespace datasets {
+
+/// Reads a label map beside a scan: 3D Slicer's .seg.nrrd with names, colours and layers, or any
+/// NRRD, MetaImage or NIfTI file of whole numbers, in which each number but 0 is a structure. The
+/// space of the patient is common to both; their grids may differ. Refuses what survey() and
+/// readVolume() refuse, and by name: values that are no whole numbers ("not-labels"), no label at
+/// all ("labels-none"), more than 255 structures ("labels-too-many"), a file or scan whose
+/// orientation is not known unless both have the same voxels ("orientation-unknown"), and labels
+/// that lie beside the scan ("labels-elsewhere"). Any thread; it reads one layer at a time.
+haptics::Expected<LabelMap> readLabels(const std::filesystem::path& path,
+                                       const haptics::Volume& scan,
+                                       const ReadProgress& progress = {});
+
+}  // namespace datasets

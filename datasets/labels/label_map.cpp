@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "datasets/labels/label_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <optional>
+
+#include "datasets/readers/files/refusal.h"
+
+namespace datasets {
+
+using haptics::Expected;
+using haptics::Mat3;
+using haptics::Vec3;
+
+Expected<LabelMap> LabelMap::over(const haptics::Grid& scan) {
+  if (auto room = checkRoom(scan.voxelCount(), 1); !room) return tl::unexpected(room.error());
+  LabelMap map;
+  map.grid_ = scan;
+  map.codes_.reset(new (std::nothrow) std::uint8_t[std::size_t(scan.voxelCount())]{});
+  if (!map.codes_) return unsupported("too-large", {"labels-no-memory", {}});
+  return map;
+}
+
+std::uint8_t LabelMap::add(Structure structure) {
+  structure.voxels = 0;
+  structures_.push_back(std::move(structure));
+  return std::uint8_t(structures_.size() - 1);
+}
+
+/// The code of a set with one structure more.
+Expected<std::uint8_t> LabelMap::with(std::uint8_t code, std::uint8_t number) {
+  if (const auto known = joined_.find({code, number}); known != joined_.end()) return known->second;
+  std::vector<std::uint8_t> set = sets_[code];
+  if (const auto at = std::ranges::lower_bound(set, number); at == set.end() || *at != number)
+    set.insert(at, number);
+  auto found = std::ranges::find(sets_, set);
+  if (found == sets_.end()) {
+    if (sets_.size() == 256) return unsupported("labels-too-many", {"labels-overlap-too-much", {}});
+    found = sets_.insert(sets_.end(), std::move(set));
+  }
+  return joined_[{code, number}] = std::uint8_t(found - sets_.begin());
+}
+
+Expected<void> LabelMap::add(const haptics::Volume& labels,
+                             const std::map<std::int64_t, std::uint8_t>& numbers) {
+  const haptics::Grid& from = labels.grid;
+  // an index of the scan as one of the labels
+  const Mat3 turn = from.spacing.cwiseInverse().asDiagonal() * from.direction.transpose() *
+                    grid_.direction * grid_.spacing.asDiagonal();
+  const Vec3 origin = from.indexOf(grid_.origin);
+  return haptics::visitVoxels(
+      labels.type, labels.voxels.get(), [&](const auto* voxels) -> Expected<void> {
+        std::uint8_t* code = codes_.get();
+        std::optional<std::int64_t> last_label;
+        const std::uint8_t* last_number = nullptr;
+        for (std::int64_t k = 0; k < grid_.dims[2]; ++k)
+          for (std::int64_t j = 0; j < grid_.dims[1]; ++j) {
+            const Vec3 row = origin + turn * Vec3{0.0, double(j), double(k)};
+            for (std::int64_t i = 0; i < grid_.dims[0]; ++i, ++code) {
+              std::array<std::int64_t, 3> at{};
+              bool within = true;
+              for (int axis = 0; axis < 3; ++axis) {
+                at[axis] = std::int64_t(std::floor(row[axis] + turn(axis, 0) * double(i) + 0.5));
+                within = within && at[axis] >= 0 && at[axis] < from.dims[axis];
+              }
+              if (!within) continue;
+              const auto label =
+                  std::int64_t(voxels[(at[2] * from.dims[1] + at[1]) * from.dims[0] + at[0]]);
+              if (label != last_label) {
+                const auto known = numbers.find(label);
+                last_label = label;
+                last_number = known == numbers.end() ? nullptr : &known->second;
+              }
+              if (last_number == nullptr) continue;
+              const auto joined = with(*code, *last_number);
+              if (!joined) return tl::unexpected(joined.error());
+              if (*joined != *code) ++structures_[*last_number].voxels;
+              *code = *joined;
+            }
+          }
+        return {};
+      });
+}
+
+}  // namespace datasets

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Label maps beside a scan: where each structure lies, on which side, what it is called, and what
+// is refused.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "datasets/labels/label_file.h"
+#include "datasets/labels/segments.h"
+#include "tests/support/sentence.h"
+#include "tests/support/turned_scan.h"
+#include "tests/unit/datasets/scans.h"
+
+namespace datasets {
+namespace {
+
+using haptics::Grid;
+using haptics::Mat3;
+using haptics::Vec3;
+using testing::Workshop;
+
+/// Which of the eight octants about a place of the patient, 1 to 8; 0 outside a ball.
+std::int16_t octantAt(const Vec3& p_mm) {
+  const Vec3 by = p_mm - turned::placeOf_mm({4.3, 6.4, 8.7});
+  if (by.norm() > 16.0) return 0;
+  return std::int16_t(1 + (by.x() > 0.0) + 2 * (by.y() > 0.0) + 4 * (by.z() > 0.0));
+}
+
+haptics::Volume scanOn(const Grid& grid, bool orientation_known = true) {
+  auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16).value();
+  static_cast<std::int16_t*>(voxels.get())[0] = 1;
+  return haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(voxels),
+                             {.orientation_known = orientation_known})
+      .value();
+}
+
+/// Oblique, uneven, and larger than the box of turned_scan.h on some sides only.
+Grid obliqueGrid() {
+  Grid grid;
+  grid.dims = {31, 29, 27};
+  grid.spacing = 1e-3 * Vec3(0.83, 1.21, 1.37);
+  grid.direction = Eigen::AngleAxisd{0.6, Vec3{0.3, -0.8, 0.5}.normalized()}.toRotationMatrix();
+  grid.origin = 1e-3 * turned::placeOf_mm({-0.7, 1.2, 2.3});
+  return grid;
+}
+
+/// The number of each voxel's structure counted from 1, of a map without overlaps; 0: none.
+std::vector<int> numbersIn(const LabelMap& map) {
+  std::vector<int> numbers;
+  for (std::int64_t n = 0; n < map.grid().voxelCount(); ++n) {
+    const auto& set = map.structuresOf(map.codes()[n]);
+    EXPECT_LE(set.size(), 1U);
+    numbers.push_back(set.empty() ? 0 : set.front() + 1);
+  }
+  return numbers;
+}
+
+TEST(Labels, OfEveryOrientationLieWhereThePatientHasThem) {
+  const haptics::Volume scan = scanOn(obliqueGrid());
+  std::vector<int> expected;
+  std::map<int, std::int64_t> counted;
+  for (std::int64_t k = 0; k < scan.grid.dims[2]; ++k)
+    for (std::int64_t j = 0; j < scan.grid.dims[1]; ++j)
+      for (std::int64_t i = 0; i < scan.grid.dims[0]; ++i) {
+        const Vec3 p_mm = 1e3 * scan.grid.worldOf({double(i), double(j), double(k)});
+        const Vec3 count = (p_mm - turned::kFirst_mm) / turned::kStep_mm;
+        const Vec3 nearest = count.array().round();
+        const bool within =
+            (nearest.array() >= 0.0).all() &&
+            (nearest.array() < Vec3(turned::kSize[0], turned::kSize[1], turned::kSize[2]).array())
+                .all();
+        expected.push_back(within ? octantAt(turned::placeOf_mm(nearest)) : 0);
+        ++counted[expected.back()];
+      }
+  ASSERT_EQ(counted.size(), 9U);  // all octants, and none
+  int files = 0;
+  for (const Mat3& axes : turned::orientations())
+    for (const auto& [space, signs] :
+         {std::pair{"left-posterior-superior", Vec3{1.0, 1.0, 1.0}},
+          std::pair{"right-anterior-superior", Vec3{-1.0, -1.0, 1.0}}}) {
+      Workshop workshop;
+      const Grid grid = turned::gridAlong(axes);
+      const auto path = workshop.write(
+          "labels.nrrd", turned::nrrdOf(grid, turned::voxelsOf(grid, octantAt), space, signs));
+      const auto map = readLabels(path, scan);
+      ASSERT_TRUE(map) << sentence(map.error());
+      ASSERT_EQ(map->structures().size(), 8U);
+      ASSERT_EQ(numbersIn(*map), expected) << space << '\n' << axes;
+      for (int n = 1; n <= 8; ++n)
+        EXPECT_EQ(map->structures()[std::size_t(n - 1)].voxels, counted[n]);
+      ++files;
+    }
+  EXPECT_EQ(files, 96);
+}
+
+/// A .seg.nrrd of 4 x 3 x 2 voxels of 1 mm at the origin, its layers counted by the first axis as
+/// 3D Slicer writes them.
+std::string segOf(const std::string& keys, const std::vector<std::vector<int>>& layers) {
+  std::string text = "NRRD0004\ntype: unsigned char\nspace: left-posterior-superior\n";
+  if (layers.size() == 1)
+    text +=
+        "dimension: 3\nsizes: 4 3 2\nkinds: domain domain domain\n"
+        "space directions: (1,0,0) (0,1,0) (0,0,1)\n";
+  else
+    text += "dimension: 4\nsizes: " + std::to_string(layers.size()) +
+            " 4 3 2\nkinds: list domain domain domain\n"
+            "space directions: none (1,0,0) (0,1,0) (0,0,1)\n";
+  text += "space origin: (0,0,0)\nencoding: raw\n" + keys + "\n";
+  for (std::size_t n = 0; n < 24; ++n)
+    for (const auto& layer : layers) text += char(layer[n]);
+  return text;
+}
+
+Grid smallGrid() {
+  Grid grid;
+  grid.dims = {4, 3, 2};
+  grid.spacing = Vec3::Constant(1e-3);
+  return grid;
+}
+
+/// 24 voxels of which some have a label.
+std::vector<int> marked(std::initializer_list<int> at, int label = 1) {
+  std::vector<int> voxels(24, 0);
+  for (const int n : at) voxels[std::size_t(n)] = label;
+  return voxels;
+}
+
+std::vector<std::uint8_t> setAt(const LabelMap& map, int n) {
+  return map.structuresOf(map.codes()[n]);
+}
+
+TEST(Labels, SegmentsOverlapInLayersAndKeepNamesAndColours) {
+  Workshop workshop;
+  auto first = marked({0, 1, 2, 3}, 5);
+  first[7] = 9;
+  const auto path = workshop.write(
+      "a.seg.nrrd", segOf("Segment0_ID:=Segment_1\nSegment0_Name:=Facial nerve: N. VII\n"
+                          "Segment0_Color:=1 0.5 0.25\nSegment0_LabelValue:=5\nSegment0_Layer:=0\n"
+                          "Segment1_ID:=Segment_2\nSegment1_Name:=\xC3\xA4\\n\x1B[31mred\xFF\n"
+                          "Segment1_LabelValue:=1\nSegment1_Layer:=1\n"
+                          "Segment2_ID:=Segment_3\nSegment2_LabelValue:=9\nSegment2_Layer:=0\n",
+                          {first, marked({2, 3, 20})}));
+  const auto map = readLabels(path, scanOn(smallGrid()));
+  ASSERT_TRUE(map) << sentence(map.error());
+  ASSERT_EQ(map->structures().size(), 3U);
+  EXPECT_EQ(map->structures()[0].name, "Facial nerve: N. VII");
+  EXPECT_EQ(map->structures()[0].colour, (std::array{1.0, 0.5, 0.25}));
+  EXPECT_EQ(map->structures()[1].name, "\xC3\xA4n [31mred");
+  EXPECT_EQ(map->structures()[2].name, "");
+  EXPECT_NE(map->structures()[1].colour, map->structures()[2].colour);
+  using Set = std::vector<std::uint8_t>;
+  EXPECT_EQ(setAt(*map, 0), Set{0});
+  EXPECT_EQ(setAt(*map, 2), (Set{0, 1}));
+  EXPECT_EQ(setAt(*map, 20), Set{1});
+  EXPECT_EQ(setAt(*map, 7), Set{2});
+  EXPECT_EQ(setAt(*map, 8), Set{});
+  EXPECT_EQ(map->structures()[0].voxels, 4);
+  EXPECT_EQ(map->structures()[1].voxels, 3);
+  EXPECT_EQ(map->structures()[2].voxels, 1);
+}
+
+TEST(Labels, BeforeThereWereLayersEachSegmentHadAVolume) {
+  Workshop workshop;
+  const std::string two = "Segment0_ID:=A\nSegment0_Name:=canal\nSegment1_ID:=B\n";
+  const auto map =
+      readLabels(workshop.write("old.seg.nrrd", segOf(two, {marked({4, 5}), marked({5, 6, 7})})),
+                 scanOn(smallGrid()));
+  ASSERT_TRUE(map) << sentence(map.error());
+  ASSERT_EQ(map->structures().size(), 2U);
+  EXPECT_EQ(map->structures()[0].voxels, 2);
+  EXPECT_EQ(map->structures()[1].voxels, 3);
+  EXPECT_EQ(setAt(*map, 5).size(), 2U);
+}
+
+TEST(Labels, WithoutNamesEachNumberIsAStructure) {
+  Workshop workshop;
+  auto voxels = marked({0, 1}, 200);
+  voxels[9] = 3;
+  const auto map =
+      readLabels(workshop.write("plain.nrrd", segOf("", {voxels})), scanOn(smallGrid()));
+  ASSERT_TRUE(map) << sentence(map.error());
+  ASSERT_EQ(map->structures().size(), 2U);  // 3 and 200
+  EXPECT_EQ(setAt(*map, 9), std::vector<std::uint8_t>{0});
+  EXPECT_EQ(setAt(*map, 0), std::vector<std::uint8_t>{1});
+}
+
+std::string reasonOf(const haptics::Expected<LabelMap>& map) {
+  return map ? "" : map.error().reason;
+}
+
+TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
+  Workshop workshop;
+  const haptics::Volume scan = scanOn(smallGrid());
+  int number = 0;
+  const auto reasonFor = [&](const std::string& bytes, const haptics::Volume& over) {
+    return reasonOf(readLabels(workshop.write(std::to_string(++number) + ".nrrd", bytes), over));
+  };
+  EXPECT_EQ(reasonFor(segOf("", {marked({})}), scan), "labels-none");
+  EXPECT_EQ(reasonFor(segOf("Segment0_ID:=a\nSegment1_ID:=b\nSegment0_LabelValue:=1\n"
+                            "Segment1_LabelValue:=1\n",
+                            {marked({1})}),
+                      scan),
+            "bad-header");
+  for (const char* number_that_is_none : {"1.5", "one", "0", "-1", ""})
+    EXPECT_EQ(
+        reasonFor(
+            segOf("Segment0_ID:=a\nSegment0_LabelValue:=" + std::string(number_that_is_none) + "\n",
+                  {marked({1})}),
+            scan),
+        "bad-header")
+        << number_that_is_none;
+  Grid away = smallGrid();
+  away.origin = {0.5, 0.0, 0.0};
+  EXPECT_EQ(reasonFor(segOf("", {marked({1})}), scanOn(away)), "labels-elsewhere");
+  EXPECT_EQ(reasonFor(segOf("", {marked({1})}), scanOn(away, false)), "orientation-unknown");
+
+  // with the same voxels nothing has to be known of where they lie
+  EXPECT_EQ(reasonFor(segOf("", {marked({1})}), scanOn(smallGrid(), false)), "");
+  const auto made = [&](const std::string& type, const std::string& voxels) {
+    return "NRRD0004\ntype: " + type +
+           "\ndimension: 3\nspace: left-posterior-superior\nsizes: 4 3 100\n"
+           "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nendian: little\n"
+           "encoding: ascii\n\n" +
+           voxels;
+  };
+  std::string many, halves;
+  for (int n = 0; n < 1200; ++n) {
+    many += std::to_string(n % 300) + " ";
+    halves += n == 700 ? "0.5 " : "1 ";
+  }
+  EXPECT_EQ(reasonFor(made("short", many), scan), "labels-too-many");
+  EXPECT_EQ(reasonFor(made("float", halves), scan), "not-labels");
+  EXPECT_EQ(reasonFor("no volume", scan), "bad-header");
+}
+
+TEST(Labels, ANameIsPlainBoundedText) {
+  EXPECT_EQ(shownName("  sigmoid\tsinus \n"), "sigmoid sinus");
+  EXPECT_EQ(shownName("a\xC0\x80"      // overlong
+                      "b\xED\xA0\x80"  // half of a pair
+                      "c\xE2\x80\xAE"  // turns the direction
+                      "d"),
+            "a b c d");
+  EXPECT_EQ(shownName("\xE2\x82\xAC\xF0\x9F\x9A\x80"), "\xE2\x82\xAC\xF0\x9F\x9A\x80");
+  const std::string long_name = shownName(std::string(127, 'x') + "\xC3\xA4" + "y");
+  EXPECT_EQ(long_name, std::string(127, 'x'));
+}
+
+}  // namespace
+}  // namespace datasets
