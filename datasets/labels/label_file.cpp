@@ -35,18 +35,20 @@ std::array<double, 3> colourOf(std::size_t number) {
 
 /// The whole numbers other than 0 in a volume.
 Expected<std::set<std::int64_t>> labelsIn(const haptics::Volume& volume, const fs::path& path) {
+  const auto noLabels = [&] {
+    return unsupported("not-labels", {"labels-not-whole", {quoted(path)}});
+  };
+  if (volume.replaced > 0) return noLabels();  // what was no number has become one
   return haptics::visitVoxels(
       volume.type, volume.voxels.get(),
       [&](const auto* voxels) -> Expected<std::set<std::int64_t>> {
+        constexpr double kGreatest = 1e9;
         std::set<std::int64_t> labels;
-        auto last = voxels[0];
-        if (last != 0) labels.insert(std::int64_t(last));
         for (std::int64_t n = 0; n < volume.grid.voxelCount(); ++n) {
-          if (double(voxels[n]) != std::floor(double(voxels[n])))
-            return unsupported("not-labels", {"labels-not-whole", {quoted(path)}});
-          if (voxels[n] == last) continue;
-          last = voxels[n];
-          if (last != 0) labels.insert(std::int64_t(last));
+          if (n > 0 && voxels[n] == voxels[n - 1]) continue;
+          const auto value = double(voxels[n]);
+          if (value != std::floor(value) || std::abs(value) > kGreatest) return noLabels();
+          if (value != 0.0) labels.insert(std::int64_t(value));
           if (labels.size() > kMostStructures)
             return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
         }

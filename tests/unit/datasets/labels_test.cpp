@@ -234,6 +234,11 @@ TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
   }
   EXPECT_EQ(reasonFor(made("short", many), scan), "labels-too-many");
   EXPECT_EQ(reasonFor(made("float", halves), scan), "not-labels");
+  for (const char* odd : {"nan ", "1e20 "}) {
+    std::string voxels = odd;
+    for (int n = 1; n < 1200; ++n) voxels += "1 ";
+    EXPECT_EQ(reasonFor(made("float", voxels), scan), "not-labels") << odd;
+  }
   EXPECT_EQ(reasonFor("no volume", scan), "bad-header");
 }
 
