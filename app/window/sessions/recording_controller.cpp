@@ -148,8 +148,8 @@ void RecordingController::record(bool record) {
   if (!record) return recording_.stop();
   if (!shared_.shown) return;
   emit starting();
-  const auto begun = recording_.start(shared_.shown->scene, recordedName(shared_.shown->tool),
-                                      panel_->states());
+  const auto begun =
+      recording_.start(shared_.shown->scene, recordedName(shared_.shown->tool), panel_->states());
   if (!begun) {
     panel_->show(ui::RecordingStatus{});
     return messages_.showMessage(sentenceOf(begun.error()));

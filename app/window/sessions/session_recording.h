@@ -31,7 +31,8 @@ class SessionRecording : public QObject {
                                 const std::string& tool, ui::RecordingStates states = {});
   /// Ends the recording of ticks. Another thread finishes the file.
   void stop();
-  /// Ends the recording and waits until the file is complete, with its hash. The session must have been closed.
+  /// Ends the recording and waits until the file is complete, with its hash. The session must have
+  /// been closed.
   void end();
 
   bool isRecording() const { return recorder_ != nullptr && !stopping_; }
