@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "datasets/labels/segments.h"
+#include "datasets/readers/files/header_words.h"
 #include "datasets/readers/files/refusal.h"
+#include "datasets/readers/volume_header.h"
 #include "datasets/readers/volume_reader.h"
 
 namespace datasets {
@@ -42,7 +44,7 @@ Expected<std::set<std::int64_t>> labelsIn(const haptics::Volume& volume, const f
   return haptics::visitVoxels(
       volume.type, volume.voxels.get(),
       [&](const auto* voxels) -> Expected<std::set<std::int64_t>> {
-        constexpr double kGreatest = 1e9;
+        constexpr double kGreatest = 9'999'999;  // float32 holds each whole number up to it
         std::set<std::int64_t> labels;
         for (std::int64_t n = 0; n < volume.grid.voxelCount(); ++n) {
           if (n > 0 && voxels[n] == voxels[n - 1]) continue;
@@ -74,6 +76,9 @@ bool isSame(const haptics::Grid& one, const haptics::Grid& other) {
 
 Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
                               const ReadProgress& progress) {
+  // a series of slices or a folder is a scan, or several; a mesh is none
+  if (fs::exists(path) && !isVolumeFile(path))
+    return unsupported("not-labels", {"labels-unknown-format", {quoted(path)}});
   const auto survey = datasets::survey(path, progress.part(0.0, 0.02));
   if (!survey) return tl::unexpected(survey.error());
   const auto segments = segmentsOf(path);
@@ -86,6 +91,8 @@ Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
     const Segment& segment = (*segments)[n];
     Structure structure = segment.structure;
     if (!segment.coloured) structure.colour = colourOf(n);
+    if (segment.layer >= std::int64_t(survey->series.size()))
+      return wrongField(path, "Segment" + std::to_string(n) + "_Layer");
     named[segment.layer][segment.label] = map->add(std::move(structure));
   }
   const auto layers = double(survey->series.size());
@@ -101,13 +108,13 @@ Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
     if (!there) return tl::unexpected(there.error());
     any = any || !there->empty();
     auto numbers = named[std::int64_t(layer)];
-    // without names each number is a structure
-    if (segments->empty())
-      for (const std::int64_t label : *there) {
-        if (map->structures().size() == kMostStructures)
-          return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
-        numbers[label] = map->add({.colour = colourOf(map->structures().size())});
-      }
+    // a number that no segment has is a structure without a name
+    for (const std::int64_t label : *there) {
+      if (numbers.contains(label)) continue;
+      if (map->structures().size() == kMostStructures)
+        return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
+      numbers[label] = map->add({.colour = colourOf(map->structures().size())});
+    }
     if (auto added = map->add(*labels, numbers); !added) return tl::unexpected(added.error());
   }
   if (!any) return unsupported("labels-none", {"labels-none", {quoted(path)}});

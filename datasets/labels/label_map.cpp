@@ -50,6 +50,7 @@ Expected<void> LabelMap::add(const haptics::Volume& labels,
   const Mat3 turn = from.spacing.cwiseInverse().asDiagonal() * from.direction.transpose() *
                     grid_.direction * grid_.spacing.asDiagonal();
   const Vec3 origin = from.indexOf(grid_.origin);
+  const Vec3 size(double(from.dims[0]), double(from.dims[1]), double(from.dims[2]));
   return haptics::visitVoxels(
       labels.type, labels.voxels.get(), [&](const auto* voxels) -> Expected<void> {
         std::uint8_t* code = codes_.get();
@@ -59,15 +60,12 @@ Expected<void> LabelMap::add(const haptics::Volume& labels,
           for (std::int64_t j = 0; j < grid_.dims[1]; ++j) {
             const Vec3 row = origin + turn * Vec3{0.0, double(j), double(k)};
             for (std::int64_t i = 0; i < grid_.dims[0]; ++i, ++code) {
-              std::array<std::int64_t, 3> at{};
-              bool within = true;
-              for (int axis = 0; axis < 3; ++axis) {
-                at[axis] = std::int64_t(std::floor(row[axis] + turn(axis, 0) * double(i) + 0.5));
-                within = within && at[axis] >= 0 && at[axis] < from.dims[axis];
-              }
-              if (!within) continue;
+              const Vec3 at = (row + turn.col(0) * double(i)).array().round();
+              if ((at.array() < 0.0).any() || (at.array() >= size.array()).any()) continue;
               const auto label =
-                  std::int64_t(voxels[(at[2] * from.dims[1] + at[1]) * from.dims[0] + at[0]]);
+                  std::int64_t(voxels[(std::int64_t(at.z()) * from.dims[1] + std::int64_t(at.y())) *
+                                          from.dims[0] +
+                                      std::int64_t(at.x())]);
               if (label != last_label) {
                 const auto known = numbers.find(label);
                 last_label = label;

@@ -431,9 +431,12 @@ inline constexpr Row kReaders[] = {
      "Voxel %1 of %2 is written as something that is no value of its type; export it again as raw.",
      "bad-header"},
     // label maps
+    {"labels-unknown-format",
+     "%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage or NIfTI.",
+     "not-labels"},
     {"labels-not-whole",
-     "%1 has values that are no whole numbers, so it is no label map; export the segmentation as a "
-     "label map.",
+     "%1 has values that are not whole numbers of at most seven digits, so it is no label map; "
+     "export the segmentation as a label map.",
      "not-labels"},
     {"labels-none", "%1 marks nothing: all its voxels are 0.", "labels-none"},
     {"labels-too-many",

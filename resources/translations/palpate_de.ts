@@ -1700,10 +1700,6 @@
         <translation>„%1“ kann nicht wiederhergestellt werden: die Datei ist beschädigt, oder „%2“, worin die Aufzeichnung steht, liegt nicht daneben; kopieren Sie beide.</translation>
     </message>
     <message>
-        <source>%1 has values that are no whole numbers, so it is no label map; export the segmentation as a label map.</source>
-        <translation>%1 hat Werte, die keine ganzen Zahlen sind, und ist deshalb keine Label-Karte; exportieren Sie die Segmentierung als Label-Karte.</translation>
-    </message>
-    <message>
         <source>%1 marks nothing: all its voxels are 0.</source>
         <translation>%1 markiert nichts: Alle seine Voxel sind 0.</translation>
     </message>
@@ -1726,6 +1722,14 @@
     <message>
         <source>There is no memory for the structures; close other programs.</source>
         <translation>Für die Strukturen ist kein Speicher da; schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage or NIfTI.</source>
+        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage oder NIfTI.</translation>
+    </message>
+    <message>
+        <source>%1 has values that are not whole numbers of at most seven digits, so it is no label map; export the segmentation as a label map.</source>
+        <translation>%1 hat Werte, die keine ganzen Zahlen mit höchstens sieben Stellen sind, und ist deshalb keine Label-Karte; exportieren Sie die Segmentierung als Label-Karte.</translation>
     </message>
 </context>
 <context>

@@ -163,6 +163,22 @@ TEST(Labels, SegmentsOverlapInLayersAndKeepNamesAndColours) {
   EXPECT_EQ(map->structures()[2].voxels, 1);
 }
 
+TEST(Labels, ANumberThatNoSegmentHasIsAStructureWithoutAName) {
+  Workshop workshop;
+  auto voxels = marked({0, 1}, 4);
+  voxels[9] = 2;
+  const auto map =
+      readLabels(workshop.write("a.seg.nrrd",
+                                segOf("Segment0_Name:=sinus\nSegment0_LabelValue:=2\n", {voxels})),
+                 scanOn(smallGrid()));
+  ASSERT_TRUE(map) << sentence(map.error());
+  ASSERT_EQ(map->structures().size(), 2U);
+  EXPECT_EQ(map->structures()[0].name, "sinus");
+  EXPECT_EQ(map->structures()[0].voxels, 1);
+  EXPECT_EQ(map->structures()[1].name, "");
+  EXPECT_EQ(map->structures()[1].voxels, 2);
+}
+
 TEST(Labels, BeforeThereWereLayersEachSegmentHadAVolume) {
   Workshop workshop;
   const std::string two = "Segment0_ID:=A\nSegment0_Name:=canal\nSegment1_ID:=B\n";
@@ -240,6 +256,15 @@ TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
     EXPECT_EQ(reasonFor(made("float", voxels), scan), "not-labels") << odd;
   }
   EXPECT_EQ(reasonFor("no volume", scan), "bad-header");
+  EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.stl", "solid"), scan)), "not-labels");
+  EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.stl", "solid").parent_path(), scan)),
+            "not-labels");
+  EXPECT_EQ(reasonOf(readLabels(workshop.write("x", "").parent_path() / "none.nrrd", scan)),
+            "unreadable");
+  EXPECT_EQ(
+      reasonFor(segOf("Segment0_ID:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=1\n", {marked({1})}),
+                scan),
+      "bad-header");
 }
 
 TEST(Labels, ANameIsPlainBoundedText) {
