@@ -34,7 +34,8 @@ double median(std::vector<double> values) {
 
 namespace {
 constexpr std::int64_t kBlock = 8;  // cells
-}
+constexpr double kSamples = 25.0;   // of a path, in each voxel of its length
+}  // namespace
 
 FreeBlocks::FreeBlocks(const haptics::Volume& volume, double isovalue) : volume_{volume} {
   const auto& dims = volume.grid.dims;
@@ -139,8 +140,12 @@ bool Judge::wayRound(const Vec3& from_W, const Vec3& to_W, double step) const {
   const auto at = [&](const Place& place) {
     return Vec3{from_W + step * Vec3{double(place[0]), double(place[1]), double(place[2])}};
   };
+  // as closely as the path that met the wall: a coarse lattice must not step over a thin one
+  const int samples = std::max(2, int(std::ceil(step / (voxel_ / kSamples))));
   const auto open = [&](const Vec3& a_W, const Vec3& b_W) {
-    return !inside(0.5 * (a_W + b_W)) && !inside(b_W);
+    for (int n = 1; n <= samples; ++n)
+      if (inside(a_W + double(n) / samples * (b_W - a_W))) return false;
+    return true;
   };
   using Ranked = std::pair<double, Place>;
   std::priority_queue<Ranked, std::vector<Ranked>, std::greater<>> queue;
@@ -178,10 +183,10 @@ int Judge::passages(const Pose& X_from, const Pose& X_to, bool may_go_round) con
       return Vec3{X_from.translation() + t * motion.linear +
                   Eigen::AngleAxisd{t * angle, axis} * r_W};
     };
-    const auto steps = static_cast<std::int64_t>(std::ceil(length / (voxel_ / 25.0)));
+    const auto steps = static_cast<std::int64_t>(std::ceil(length / (voxel_ / kSamples)));
     // in pieces that one question to the blocks can answer
     const auto piece = std::max<std::int64_t>(
-        1, static_cast<std::int64_t>(0.9 * blocks_.reach() / (voxel_ / 25.0)));
+        1, static_cast<std::int64_t>(0.9 * blocks_.reach() / (voxel_ / kSamples)));
     bool met = false;
     for (std::int64_t n = 0; n < steps && !met; n += piece) {
       const std::int64_t end = std::min(steps, n + piece);

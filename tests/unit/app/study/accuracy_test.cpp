@@ -305,6 +305,33 @@ TEST(Slack, IsTheWayThatIsLeft) {
   EXPECT_NEAR(slack(2e-3).value(), comparison::kSlackWithin, 1e-4);
 }
 
+/// How many points the judge sees go through a plate, half a voxel to each side of x = 8, when a
+/// point goes from before it to behind it. In the row y = 10 the plate has this value: below the
+/// isovalue of 5000 there is a slit.
+int throughAPlate(std::uint16_t in_row) {
+  haptics::Grid grid;
+  grid.dims = {17, 20, 24};
+  grid.spacing = haptics::Vec3::Constant(1e-3);
+  auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::UInt16).value();
+  for (std::int64_t n = 8; n < grid.voxelCount(); n += grid.dims[0])
+    static_cast<std::uint16_t*>(voxels.get())[n] = n / grid.dims[0] % 20 == 10 ? in_row : 10'000;
+  auto volume = haptics::makeVolume(grid, haptics::ScalarType::UInt16, std::move(voxels)).value();
+  const comparison::Touched scene{"plate", made::shared(std::move(volume)), 5000.0, "", 0};
+  haptics::PointShell point = made::tool(datasets::ballPoints(100, 3e-3)).shell;
+  point.points = {haptics::Vec3::Zero()};
+  const comparison::FreeBlocks blocks{*scene.volume, scene.isovalue};
+  const comparison::Judge judge{scene, point, blocks};
+  const double y = 9.476e-3, z = 12e-3;
+  return judge.passages(made::at(7.2e-3, y, z), made::at(8.8e-3, y, z), true);
+}
+
+TEST(Judge, TellsAWayThroughASlitFromOneThroughAWall) {
+  EXPECT_EQ(throughAPlate(10'000), 1);
+  EXPECT_EQ(throughAPlate(5'010), 1);  // no slit, and at its thinnest 0.004 voxel
+  EXPECT_EQ(throughAPlate(4'975), 0);  // 0.01 voxel wide: no place of a lattice of 0.05 lies in it
+  EXPECT_EQ(throughAPlate(0), 0);
+}
+
 TEST(Hands, AreOthersWithAnotherSeed) {
   const comparison::Touched scene = comparison::makeScene("hole");
   const auto built = haptics::makeScene(scene.volume, comparison::toolOf(scene)).value();

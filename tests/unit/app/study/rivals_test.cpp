@@ -99,7 +99,7 @@ TEST(GodObject, RestsAtTheNearestPlaceToTheDevice) {
   const auto tool = made::point();
   const rivals::GodObjectSettings settings;
   const auto method = comparison::godObject(scene, tool.shell, settings);
-  for (const Vec3 place : {Vec3{0.0, 0.0, 0.013}, Vec3{0.006, 0.002, 0.010}}) {
+  for (const Vec3& place : {Vec3{0.0, 0.0, 0.013}, Vec3{0.006, 0.002, 0.010}}) {
     const auto tick = rested(*method, made::at(place.x(), place.y(), place.z()));
     const Vec3 nearest = (sphere.radius + settings.skin * kVoxel) * place.normalized();
     EXPECT_LT((tick.X_WP.translation() - nearest).norm(), 0.03 * kVoxel);
