@@ -125,8 +125,8 @@ on_these_cores() { echo "$((($1 + $2 / $(nproc) + 59) / 60))"; }
 
 # followed LOG WHAT COMMAND…: runs it with its output in a log, and shows how far it is: where ninja
 # says "[12/340]" or ctest " 12/340 Test", "WHAT: 12 of 340". In place on a terminal, elsewhere a line
-# each half a minute. The last lines of a test that fails are shown when it does, those of the log if
-# the whole fails.
+# each half a minute. Where none has ended in that time, the tests that run are named. The last lines
+# of a test that fails are shown when it does, those of the log if the whole fails.
 followed() {
   local log="$1" what="$2" status
   shift 2
@@ -140,7 +140,8 @@ followed() {
 # show_progress WHAT: of what is read; see `followed`
 show_progress() {
   local what="$1" began=$SECONDS said=$SECONDS every=30 terminal=false
-  local status line read_so_far="" far="begun" failing=false last=()
+  local status line read_so_far="" far="begun" told="" failing=false last=()
+  local -A running=()
   local erase=""
   if [ -t 1 ]; then terminal=true every=1 erase=$'\r\033[K'; fi
   while :; do
@@ -150,13 +151,16 @@ show_progress() {
       line="$read_so_far$line" read_so_far=""
       if [[ "$line" =~ ^\ *\[?([0-9]+)/([0-9]+)(\]|\ Test\ ) ]]; then
         far="${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+        [[ "$line" =~ \ #([0-9]+): ]] && unset "running[${BASH_REMATCH[1]}]"
         [ ${#last[@]} -eq 0 ] || printf '%s\n' "${last[@]}"
         failing=false last=()
         # such a line of ctest ends in stars and what happened, where a test did not pass
         if [[ "$line" =~ \ Test\ .*\*\*\*(Failed|Timeout|Exception|Not\ Run) ]]; then
           failing=true last=("${erase}$line")
         fi
-      elif $failing && ! [[ "$line" =~ ^\ *Start\ +[0-9]+: ]]; then
+      elif [[ "$line" =~ ^\ *Start\ +([0-9]+):\ (.*) ]]; then
+        running["${BASH_REMATCH[1]}"]="${BASH_REMATCH[2]}"
+      elif $failing; then
         last+=("   $line")
         [ ${#last[@]} -le 60 ] || last=("${last[0]}" "${last[@]:2}")
       fi
@@ -170,7 +174,10 @@ show_progress() {
     if $terminal; then
       printf '%s   %s: %s, %s' "$erase" "$what" "$far" "$(minutes $((SECONDS - began)))"
     else
-      printf '   %s: %s, %s\n' "$what" "$far" "$(minutes $((SECONDS - began)))"
+      printf '   %s: %s, %s' "$what" "$far" "$(minutes $((SECONDS - began)))"
+      [ "$far" != "$told" ] || [ ${#running[@]} -eq 0 ] || printf ' (%s)' "$(IFS=,; echo "${running[*]}")"
+      printf '\n'
+      told="$far"
     fi
   done
   [ ${#last[@]} -eq 0 ] || printf '%s\n' "${last[@]}"

@@ -49,21 +49,17 @@ if INSIDE not in os.environ:
 BEGUN = time.monotonic()
 CONTEXT = GLib.MainContext.default()
 heard = []  # what was said: kind, the new name, its source
+renamed = []  # the parts whose new name has yet to be asked for
 slices = set()  # what they show changes with the tool: heard once each
 focus = None  # the part that has it, as it was said
 
 
 def hear(event):
-    """Asks the program little: an answer may take it as long as a picture, and more is said meanwhile."""
+    """Asks nothing: an answer may take the program as long as a picture, and more is said meanwhile."""
     global focus
     if event.type.startswith("object:property-change:accessible-name"):
-        try:
-            if event.source not in slices:
-                heard.append((event.type, event.source.get_name(), event.source))
-                if " slice: " in heard[-1][1]:
-                    slices.add(event.source)
-        except GLib.Error:
-            pass  # it is gone meanwhile
+        if event.source not in slices and event.source not in renamed:
+            renamed.append(event.source)
     elif event.type.startswith("object:state-changed:focused") and event.detail1:
         focus = event.source
     elif event.type.startswith("object:property-change:accessible-value"):
@@ -71,11 +67,20 @@ def hear(event):
 
 
 def pump(seconds=0.2):
-    """Hears what is said in this time."""
+    """Hears what is said in this time, and asks once for each name that is new."""
     end = time.monotonic() + seconds
     GLib.timeout_add(int(1e3 * seconds), lambda: False)
     while time.monotonic() < end:
         CONTEXT.iteration(True)
+    for source in renamed.copy():
+        renamed.remove(source)
+        try:
+            name = source.get_name()
+        except GLib.Error:
+            continue  # it is gone meanwhile
+        heard.append(("object:property-change:accessible-name", name, source))
+        if " slice: " in name:
+            slices.add(source)
 
 
 def wait(what, found):
