@@ -41,6 +41,7 @@ class LabelMap {
   const std::uint8_t* codes() const { return codes_.get(); }
   /// Which structures a code stands for, by their numbers, in ascending order.
   const std::vector<std::uint8_t>& structuresOf(std::uint8_t code) const { return sets_[code]; }
+  std::size_t setCount() const { return sets_.size(); }  ///< codes that stand for something
   const std::vector<Structure>& structures() const { return structures_; }
 
   /// Adds the structures of a volume of labels, which may lie on another grid: each voxel of the

@@ -25,13 +25,15 @@ rule(FOLDERS "haptics/process" FORBIDS "^haptics/" PERMITS "^haptics/(core|proce
      WHY "files and limits know the common words alone")
 rule(FOLDERS "haptics/carving" FORBIDS "^haptics/" PERMITS "^haptics/(core|carving)/"
      WHY "what lowers voxels knows the common words alone")
+rule(FOLDERS "haptics/structures" FORBIDS "^haptics/" PERMITS "^haptics/(core|structures)/"
+     WHY "distances know the common words alone")
 rule(FOLDERS "haptics/devices" FORBIDS "^haptics/"
      PERMITS "^haptics/((core|devices)/|settings[.]h$)"
      WHY "a driver sees its interface and the common words")
 rule(FOLDERS "ui" FORBIDS "^(haptics/|datasets/|app/|resources/messages/)"
      PERMITS "^haptics/(snapshot[.]h|settings[.]h|core/)"
      WHY "the window is told; it opens nothing")
-rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/|resources/)" PERMITS "^haptics/(core|process|carving)/"
+rule(FOLDERS "datasets" FORBIDS "^(Q[A-Za-z]|ui/|app/|haptics/|resources/)" PERMITS "^haptics/(core|process|carving|structures)/"
      WHY "datasets make volumes, and know of haptics only the words")
 rule(FOLDERS "datasets/phantoms" FORBIDS "^vtk" WHY "phantoms build without VTK")
 rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+#include "datasets/labels/label_map.h"
+#include "haptics/structures/distance_map.h"
+
+namespace datasets {
+
+/// How far and how finely distances to a structure are known.
+struct DistanceOptions {
+  double most = 0.030;  ///< m, beyond which a distance is "more than that"; above 0
+  /// Bytes that the work may take, some seven for a sample. Of a structure that takes more there is
+  /// a sample for every second voxel along each axis only, or for every third, …
+  std::size_t most_bytes = std::size_t{768} << 20;
+};
+
+/// The distances to a structure of the map, by its number; it must have voxels. Refuses
+/// ("too-large") what the free memory does not hold. `goes_on` gets the fraction that is done; if
+/// it returns false, the result is Error::Kind::Cancelled. Any thread; on all cores. Source of the
+/// method: Felzenszwalb and Huttenlocher, Distance Transforms of Sampled Functions (2012); here to
+/// the midpoints between voxels.
+haptics::Expected<haptics::DistanceMap> distancesTo(
+    const LabelMap& labels, std::uint8_t structure, const DistanceOptions& options = {},
+    const std::function<bool(double)>& goes_on = {});
+
+}  // namespace datasets
