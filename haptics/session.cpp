@@ -110,6 +110,8 @@ class Session::Loop {
   LatestValue<Pose> mouse;                         // before the servo: its device reads from it
   std::shared_ptr<StepRing> ring;                  ///< where steps go; outlives the servo
   std::vector<std::shared_ptr<StepRing>> leaving;  ///< where the last ones may yet go
+  std::shared_ptr<const Watch> watch;              ///< in use; outlives the servo
+  std::vector<std::shared_ptr<const Watch>> unwatched;  ///< may yet be in use
   std::unique_ptr<ServoLoop> servo;
   std::shared_ptr<const Scene> scene;
   Pose X_start = Pose::Identity();
@@ -126,6 +128,7 @@ class Session::Loop {
     servo = std::move(loop);
     servo->scenes.offer(std::make_unique<Engagement>(scene, X_WP));
     servo->recording.store(ring.get());
+    servo->watch.store(watch.get());
     try {
       servo->start();
     } catch (const std::system_error&) {
@@ -136,6 +139,7 @@ class Session::Loop {
   }
   bool armed = true;          ///< the user's word, through every hand and scene
   std::uint64_t left_at = 0;  ///< the boundary behind which they do no more
+  std::uint64_t unwatched_at = 0;
 };
 
 Session::Session() : loop_{std::make_unique<Loop>()} {}
@@ -201,6 +205,7 @@ void Session::close() {
   loop_->rating.reset();
   loop_->lifted = false;
   loop_->leaving.clear();
+  loop_->unwatched.clear();
 }
 bool Session::isOpen() const { return loop_->servo != nullptr; }
 
@@ -226,7 +231,9 @@ void Session::bring(const Pose& X_WT, const Pose& X_WH) {
 }
 
 void Session::collectGarbage() {
-  if (loop_->servo) loop_->servo->scenes.collect();
+  if (!loop_->servo) return;
+  loop_->servo->scenes.collect();
+  if (loop_->servo->boundary.load() >= loop_->unwatched_at) loop_->unwatched.clear();
 }
 
 void Session::set(const Settings& settings) {
@@ -275,6 +282,15 @@ void Session::record(std::shared_ptr<StepRing> ring) {
     loop_->left_at = loop_->servo->boundary.load() + 2;
   }
   loop_->ring = std::move(ring);
+}
+
+void Session::watch(std::shared_ptr<const Watch> watch) {
+  if (loop_->servo) {
+    loop_->servo->watch.store(watch.get(), std::memory_order_release);
+    loop_->unwatched.push_back(std::move(loop_->watch));
+    loop_->unwatched_at = loop_->servo->boundary.load() + 2;
+  }
+  loop_->watch = std::move(watch);
 }
 
 bool Session::hasLeftRing() const {

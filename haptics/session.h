@@ -17,6 +17,7 @@ namespace haptics {
 
 class Device;
 class StepRing;
+struct Watch;
 
 /// The hand that holds the device.
 enum class HandKind {
@@ -83,6 +84,10 @@ class Session {
   void handle(const Handling& handling);
   /// Sets the pose to which the mouse pulls the tool, W.
   void pull(const Pose& X_WH);
+
+  /// Measures the tool's distance to these structures in every tick, from the next one on and for
+  /// every hand and scene; null ends that.
+  void watch(std::shared_ptr<const Watch> watch);
 
   /// Zero force from the next tick on, for every hand and scene, until arm(). A fault has the same
   /// effect.

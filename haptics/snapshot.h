@@ -6,6 +6,7 @@
 
 #include "haptics/core/geometry.h"
 #include "haptics/core/trouble.h"
+#include "haptics/structures/nearness.h"
 
 namespace haptics {
 
@@ -68,6 +69,7 @@ struct Snapshot {
   std::uint64_t scene = 0;       ///< Scene::id, 0 for none
   int contacts = 0;              ///< contacts that bear force
   std::array<ContactPlace, 8> places = {};  ///< where they are; the first `contacts` of them
+  Nearnesses near = {};  ///< of the proxy to the watched structures; none without a scene
   ForceState force_state = ForceState::Off;
   ForceReason reason = ForceReason::None;
   std::uint32_t buttons = 0;        ///< buttons of the device, bit n for button n

@@ -17,6 +17,9 @@
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
+#ifdef PALPATE_READERS
+#include "app/cli/watching.h"
+#endif
 #include "app/export/facts.h"
 #include "app/measurement/quantile.h"
 #include "app/recording/facts.h"
@@ -40,6 +43,9 @@ constexpr int kSchema = 1;                // of the report; run.schema.json says
 struct RunOptions {
   VolumeChoice volume;
   ToolChoice tool;
+#ifdef PALPATE_READERS
+  WatchChoice watch;
+#endif
   double isovalue = 0.0;
   std::string hand = "tap";
   double seconds = 5.0;
@@ -326,10 +332,13 @@ Outcome run(const RunOptions& options) {
   if (!options.record.empty()) targets.push_back({"--record", options.record});
   const std::optional<std::string> sidecar = sidecarOf(options.trace);
   if (sidecar) targets.push_back({"the description of --trace", *sidecar});
+  std::vector<std::string> inputs{options.tool.name, options.hand};
+#ifdef PALPATE_READERS
+  inputs.push_back(options.watch.labels);
+#endif
   if (options.record.empty() && (options.epoch || options.open_hash))
     return usage("--epoch and --open-hash are for a recording; add --record FILE.palpate.");
-  if (const auto wrong = overwritten(targets, options.volume, {options.tool.name, options.hand}))
-    return usage(*wrong);
+  if (const auto wrong = overwritten(targets, options.volume, inputs)) return usage(*wrong);
   auto loaded = loadTool(options.tool);
   if (!loaded) return refused(loaded.error());
   for (const haptics::Message& warning : loaded->warnings) tell(resources::sentence(warning));
@@ -361,6 +370,12 @@ Outcome run(const RunOptions& options) {
                            !motions().contains(options.hand),
                            {options.rate}};
   loop.budget_work = options.budget_work();
+#ifdef PALPATE_READERS
+  auto watch = watchOver(options.watch, **volume);
+  if (!watch) return refused(watch.error());
+  loop.watch = *watch;
+  Nearest nearest{*watch};
+#endif
   loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
@@ -374,7 +389,7 @@ Outcome run(const RunOptions& options) {
   const nlohmann::ordered_json settings = settingsOf(options, **scene);
   std::unique_ptr<TraceWriter> trace;
   if (!options.trace.empty()) {
-    auto opened = TraceWriter::open(options.trace);
+    auto opened = TraceWriter::open(options.trace, loop.watch.get());
     if (!opened) return failed(resources::sentence(opened.error()));
     trace = std::make_unique<TraceWriter>(std::move(*opened));
   }
@@ -405,6 +420,9 @@ Outcome run(const RunOptions& options) {
   const auto done = loop.run(hand->hand, ticks, [&](const haptics::TraceRow& row) {
     tally.add(row, **scene, options.isovalue);
     progress.at(tally.ticks);
+#ifdef PALPATE_READERS
+    nearest.add(row.time, row.near);
+#endif
     if (trace) trace->write(row);
     if (recorded) recorded->write(row);
     stopped = stopped || interrupted();
@@ -428,6 +446,9 @@ Outcome run(const RunOptions& options) {
     const haptics::SmoothingEffect effect = haptics::smoothingEffect(**volume, options.isovalue);
     outcome.json["smoothing"] = {{"erased_share", effect.erased}, {"gained_share", effect.gained}};
   }
+#ifdef PALPATE_READERS
+  if (loop.watch) outcome.json["watched"] = nearest.report();
+#endif
   outcome.json["settings"] = settings;
   outcome.json["made_by"] = madeBy("palpate-cli");
   // both are finished before one is judged
@@ -526,6 +547,9 @@ void addRun(CLI::App& program, Chosen& chosen) {
   command->add_option("--rate", options->rate, "Ticks of the servo loop in a second [Hz]")
       ->check(CLI::IsMember(servoRates()))
       ->capture_default_str();
+#ifdef PALPATE_READERS
+  addWatching(*command, options->watch);
+#endif
   command->add_option("--trace", options->trace, "CSV to write, one row per tick")
       ->check(notEmpty());
   command->add_option("--record", options->record, "Recording to write, NAME.palpate")

@@ -41,13 +41,20 @@ bool isCalled(const std::string& name, const HandColumn& column) {
 
 }  // namespace
 
-haptics::Expected<TraceWriter> TraceWriter::open(const std::string& path) {
+haptics::Expected<TraceWriter> TraceWriter::open(const std::string& path,
+                                                 const haptics::Watch* watch) {
   auto file = haptics::OutputFile::open(path);
   if (!file) return tl::unexpected(file.error());
   file->write(
       "t_s,device_x_m,device_y_m,device_z_m,device_qw,device_qx,device_qy,device_qz,"
       "proxy_x_m,proxy_y_m,proxy_z_m,proxy_qw,proxy_qx,proxy_qy,proxy_qz,"
-      "force_x_N,force_y_N,force_z_N,torque_x_Nm,torque_y_Nm,torque_z_Nm,contacts\n");
+      "force_x_N,force_y_N,force_z_N,torque_x_Nm,torque_y_Nm,torque_z_Nm,contacts");
+  if (watch != nullptr)
+    for (const haptics::Watch::Watched& watched : watch->structures) {
+      const std::string number = std::to_string(watched.structure + 1);
+      file->write(",tip_to_" + number + "_m,nearest_to_" + number + "_m");
+    }
+  file->write("\n");
   return TraceWriter{std::move(*file)};
 }
 
@@ -58,13 +65,18 @@ void TraceWriter::write(const haptics::TraceRow& row) {
   const double numbers[] = {row.time, d.x(), d.y(), d.z(), q_D.w(), q_D.x(), q_D.y(),
                             q_D.z(),  p.x(), p.y(), p.z(), q_P.w(), q_P.x(), q_P.y(),
                             q_P.z(),  f.x(), f.y(), f.z(), m.x(),   m.y(),   m.z()};
-  char line[1024];
+  char line[2048];
   char* at = line;
   for (const double number : numbers) {
     at = std::to_chars(at, line + sizeof line - 32, number).ptr;
     *at++ = ',';
   }
   at = std::to_chars(at, line + sizeof line - 1, row.contacts).ptr;
+  for (const haptics::Nearness& near : row.near)
+    for (const float distance : {near.tip, near.nearest}) {
+      *at++ = ',';
+      at = std::to_chars(at, line + sizeof line - 1, distance).ptr;
+    }
   *at++ = '\n';
   file_.write({line, static_cast<std::size_t>(at - line)});
 }

@@ -10,11 +10,14 @@
 
 namespace app::cli {
 
-/// Writes a trace: one header line, then 22 columns per tick. Numbers have the shortest digits that
-/// round-trip to the same double. The file is written completely or not at all.
+/// Writes a trace: one header line, then 22 columns per tick, and for each structure that is
+/// watched two more, the distance of the tip and of the nearest point, called by its number from 1.
+/// Numbers have the shortest digits that round-trip to the same double. The file is written
+/// completely or not at all.
 class TraceWriter {
  public:
-  static haptics::Expected<TraceWriter> open(const std::string& path);
+  static haptics::Expected<TraceWriter> open(const std::string& path,
+                                             const haptics::Watch* watch = nullptr);
 
   void write(const haptics::TraceRow& row);
   haptics::Expected<void> finish();

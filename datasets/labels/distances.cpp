@@ -177,15 +177,25 @@ double steepestOf(const DistanceMap& map) {
     }
     of_slice[std::size_t(k)] = most;
   });
-  return std::sqrt(*std::ranges::max_element(of_slice));
+  return (1.0 + 1e-9) * std::sqrt(*std::ranges::max_element(of_slice));  // of rounding, too
 }
 
+// bytes of a sample while the map is made; two of them stay
+constexpr std::size_t kBytes = sizeof(float) + sizeof(std::int16_t) + 1;
+
 }  // namespace
+
+DistanceOptions distancesOf(std::size_t maps) {
+  DistanceOptions options;
+  const double each = 0.25 * freeMemory() / double(std::max<std::size_t>(maps, 1));
+  options.most_bytes = std::min(options.most_bytes,
+                                std::size_t(each * double(kBytes) / double(sizeof(std::int16_t))));
+  return options;
+}
 
 Expected<DistanceMap> distancesTo(const LabelMap& labels, std::uint8_t structure,
                                   const DistanceOptions& options,
                                   const std::function<bool(double)>& goes_on) {
-  constexpr std::size_t kBytes = sizeof(float) + sizeof(std::int16_t) + 1;  // of a sample
   constexpr int kPasses = 10;
   const Grid& scan = labels.grid();
   std::array<bool, 256> belongs{};

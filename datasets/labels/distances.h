@@ -18,6 +18,10 @@ struct DistanceOptions {
   std::size_t most_bytes = std::size_t{768} << 20;
 };
 
+/// Options for so many maps that all of them together take at most a quarter of the free memory,
+/// and each no more than the default.
+DistanceOptions distancesOf(std::size_t maps);
+
 /// The distances to a structure of the map, by its number; it must have voxels. Refuses
 /// ("too-large") what the free memory does not hold. `goes_on` gets the fraction that is done; if
 /// it returns false, the result is Error::Kind::Cancelled. Any thread; on all cores. Source of the

@@ -146,6 +146,7 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   const ServoResult result = feel(period, budget);
   push(result.sent_W, period);
   noteTransitions(time);
+  measureNearness(period.engaged);
   period.cpu_ns = Budget::threadTime() - begun;
   publish(period, result, time);
   if (period.ring != nullptr) record(period, budget);
@@ -231,6 +232,14 @@ void ServoLoop::publish(const Period& period, const ServoResult& result, double 
                       static_cast<float>(result.sent_W.torque.norm())});
 }
 
+void ServoLoop::measureNearness(const Engagement* engaged) HAPTICS_RT {
+  const Watch* const watched = watch.load(std::memory_order_acquire);
+  if (watched != nullptr && engaged != nullptr)
+    measure(*watched, *engaged->scene, engaged->proxy.X_WP, snapshot_.near);
+  else
+    snapshot_.near.clear();
+}
+
 void ServoLoop::notePlaces(const Proxy& proxy) HAPTICS_RT {
   static_assert(Bearing::capacity() <= std::tuple_size_v<decltype(Snapshot::places)>);
   const Vec3 p_WP = proxy.X_WP.translation();
@@ -272,6 +281,7 @@ void ServoLoop::record(const Period& period, const Budget& budget) HAPTICS_RT {
   step_.force_state = snapshot_.force_state;
   step_.contacts.clear();
   if (period.engaged != nullptr) step_.contacts = period.engaged->proxy.bearing;
+  step_.near = snapshot_.near;
   period.ring->push(step_);
 }
 

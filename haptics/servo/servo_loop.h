@@ -10,6 +10,7 @@
 #include "haptics/core/latest_value.h"
 #include "haptics/coupling/safety.h"
 #include "haptics/devices/device.h"
+#include "haptics/scene/watch.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/mapping.h"
 #include "haptics/servo/motion_guard.h"
@@ -53,6 +54,9 @@ class ServoLoop {
   /// Ring that receives the steps from the next tick on; null: no recording. The ring must live
   /// until `boundary` has grown by two after another value was set, or until the loop has ended.
   std::atomic<StepRing*> recording{nullptr};
+  /// Structures to which the proxy's distance is measured, from the next tick on; null: none. It
+  /// must live as long as a ring.
+  std::atomic<const Watch*> watch{nullptr};
   std::atomic<std::uint64_t> boundary{0};  ///< completed ticks
 
   /// Starts the thread.
@@ -106,6 +110,8 @@ class ServoLoop {
   void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;
   void noteTransitions(double time) HAPTICS_RT;
   void publish(const Period& period, const ServoResult& result, double time) HAPTICS_RT;
+  /// Puts the distances to the watched structures into the snapshot.
+  void measureNearness(const Engagement* engaged) HAPTICS_RT;
   /// Puts the places of the contacts into the snapshot.
   void notePlaces(const Proxy& proxy) HAPTICS_RT;
   void startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT;

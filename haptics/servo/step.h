@@ -9,6 +9,7 @@
 #include "haptics/proxy/proxy.h"
 #include "haptics/servo/rate.h"
 #include "haptics/settings.h"
+#include "haptics/structures/nearness.h"
 
 namespace haptics {
 
@@ -48,6 +49,7 @@ struct Step {
   ForceState force_state = ForceState::Off;
   std::uint16_t flags = 0;
   Bearing contacts;
+  Nearnesses near;  ///< of the proxy to the watched structures
 };
 
 /// State from which a replay of the following steps gives the same result. Recorded before the

@@ -58,6 +58,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   const double period = rate.period();
   PassivityObserver observer;  // at the handle, of what really acts there
   Wrench held;
+  Nearnesses near;
   for (std::int64_t n = 0; n < ticks; ++n) {
     const double time = double(n) * period;
     const Pose X_WH_before = device.X_WD;
@@ -74,11 +75,12 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     const ServoResult result =
         servoTick({X_WD, settings, StepFlags::kArmed, hooked ? &hook : nullptr}, scene.get(),
                   &proxy, safety, period, budget);
+    if (watch) measure(*watch, *scene, proxy.X_WP, near);
     const std::int64_t ended = Budget::threadTime();
     held = link.carry(result.sent_W, device.X_WD);
     if (!each({time, X_WD, proxy.X_WP, result.sent_W, result.tick.wrench_W, result.tick.contacts,
                ended - begun, device.X_WD, observer.energy(), budget.cutAt(), budget.spent(),
-               proxy.bearing, safety.state(), safety.stiffnessShare()}))
+               proxy.bearing, safety.state(), safety.stiffnessShare(), near}))
       break;
   }
   return {};

@@ -9,6 +9,7 @@
 #include "haptics/coupling/safety.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/scene/scene.h"
+#include "haptics/scene/watch.h"
 #include "haptics/servo/rate.h"
 #include "haptics/settings.h"
 #include "haptics/simulation/device_model.h"
@@ -33,6 +34,7 @@ struct TraceRow {
   Bearing bearing = {};     ///< contacts that bear force; not part of the trace
   ForceState force_state = ForceState::Off;  ///< not part of the trace
   double stiffness_share = 1.0;              ///< Safety::stiffnessShare; not part of the trace
+  Nearnesses near = {};                      ///< to the watched structures
 };
 
 /// Hand, grip and servoTick in one loop, armed, without threads or clocks. Two runs give the same
@@ -51,6 +53,7 @@ struct ClosedLoop {
   double damping = 0.0;          ///< N·s/m, virtual damping while the wrench is not zero
   /// Damping that a passivity controller may use, N·s/m; 0: no controller.
   double passivity_damping = 0.0;
+  std::shared_ptr<const Watch> watch = {};  ///< structures to which distances are measured
   /// Called once, before the first tick, with the pose at which the proxy begins; may be empty.
   std::function<void(const Pose&)> on_start = {};
 

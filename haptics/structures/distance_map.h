@@ -28,6 +28,10 @@ struct DistanceMap {
   /// Bytes of the samples.
   std::size_t bytes() const { return std::size_t(grid.voxelCount()) * sizeof(std::int16_t); }
 
+  /// m, the greatest distance that is told of a tool: at less than `most`, the place of a part of
+  /// it that is at `most` says how far its other parts are at least.
+  double told() const HAPTICS_RT { return most * (2.0 / 3.0); }
+
   /// The distance of a place in W [m], trilinear between the samples; `most` beyond them.
   double at(const Vec3& p_W) const HAPTICS_RT { return atIndex(grid.indexOf(p_W)); }
 

@@ -10,7 +10,8 @@
 namespace haptics {
 namespace {
 
-constexpr double kFarthest = 10.0;  // m, of a tool's points from their centroid
+constexpr double kFarthest = 10.0;    // m, of a tool's points from their centroid
+constexpr double kSameHeight = 1e-4;  // m: points that make up the tip
 
 /// The median over (at most 512 of) the points of the distance to the nearest other point.
 double medianSpacing(const std::vector<Vec3>& points) {
@@ -59,6 +60,20 @@ std::vector<Vec3> sampleByArea(const TriangleMesh& mesh, int count) {
   return points;
 }
 
+/// The middle of the points that are farthest along -z.
+Vec3 tipOf(const std::vector<Vec3>& points) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : points) lowest = std::min(lowest, p.z());
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (const Vec3& p : points)
+    if (p.z() < lowest + kSameHeight) {
+      sum += p;
+      ++count;
+    }
+  return sum / count;
+}
+
 }  // namespace
 
 Expected<PointShell> makeShell(std::vector<Vec3> points) {
@@ -88,6 +103,7 @@ Expected<PointShell> makeShell(std::vector<Vec3> points) {
                       ? Mat3{inertia + 1e-6 * shell.radius * shell.radius * Mat3::Identity()}
                       : Mat3::Identity();
   shell.spacing = medianSpacing(shell.points);
+  shell.tip = tipOf(shell.points);
   return shell;
 }
 

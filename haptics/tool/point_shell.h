@@ -19,7 +19,8 @@ struct PointShell {
   /// m², mean inertia about the centroid, regularised. For a single point it is the identity, until
   /// a Scene replaces it by an inertia from the voxel's size.
   Mat3 inertia = Mat3::Identity();
-  double spacing = 0.0;  ///< m, median distance to the nearest other point
+  double spacing = 0.0;     ///< m, median distance to the nearest other point
+  Vec3 tip = Vec3::Zero();  ///< m, in the tool frame: the middle of the points farthest along -z
   /// m, where the tool frame's origin was in the frame of what the tool was made of: the points
   /// that were given, or a mesh in its file.
   Vec3 origin = Vec3::Zero();

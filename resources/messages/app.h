@@ -7,6 +7,13 @@
 namespace resources {
 
 inline constexpr Row kApp[] = {
+    {"watch-no-structure",
+     "The label map has no structure %1 with voxels in the scan; of its %2, info --labels tells "
+     "which have.",
+     "unknown-name"},
+    {"watch-too-many",
+     "Distances to %1 structures are too many at a time; name %2 of them at most, with --watch.",
+     "unknown-name"},
     {"name-or-file-unknown", "There is no \"%1\"; choose one of %2, or a file.", "unknown-name"},
     {"volume-constant",
      "Every voxel of the volume is %1, so it has no surface to touch; choose another series, or "

@@ -7,7 +7,9 @@ system that speaks German.
 Use: command_line_test.py PALPATE-CLI FOLDER
 """
 import concurrent.futures
+import csv
 import json
+import math
 import os
 import pathlib
 import resource
@@ -390,6 +392,27 @@ def lists_the_structures_of_label_maps():
           f"structures {structures}")
     named = json.loads(call("info", place / "v.nrrd", "--names", "--labels", labels, "--json").stdout)
     check(named["labels"][0]["structures"][0]["name"] == "PLNT^Jane", f"named {named}")
+    # how far a point is from that box, tick for tick
+    point, trace = place / "point.csv", place / "t.csv"
+    point.write_text("x,y,z\n0,0,0\n")
+    scan = "--volume", place / "v.nrrd", "--labels", labels
+    report = json.loads(call(*touch((*scan, "--watch", "1", "--trace", trace, "--json"), tool=point, seconds="1")).stdout)
+    least = [(o + 9.5) / 1e3 for o in origin]
+    most = [low + side / 1e3 for low, side in zip(least, (8, 16, 16))]
+    near = []
+    for row in csv.DictReader(trace.open()):
+        beyond = [max(low - at, at - high) for low, at, high in
+                  zip(least, (float(row[f"proxy_{axis}_m"]) for axis in "xyz"), most)]
+        away = math.hypot(*(max(0.0, by) for by in beyond)) or max(beyond)
+        near.append(float(row["nearest_to_1_m"]))
+        check(abs(near[-1] - min(away, 0.02)) < 0.55e-3 and row["tip_to_1_m"] == row["nearest_to_1_m"],
+              f"distance to a box: {row}, not {away}")
+    check(len(near) == 1000 and min(near) < 0.015 and len(set(near)) > 500, f"distances {near}")
+    watched = report["watched"][0]
+    check(watched["number"] == 1 and abs(watched["least_mm"] - 1e3 * min(near)) < 1e-5 and
+          watched["error_mm"] == 0.55 and watched["told_up_to_mm"] == 20.0, f"watched {watched}")
+    none = call(*touch((*scan, "--watch", "2"), tool=point), code=2)
+    check(b"no structure 2" in none.stderr, f"structure 2: {none}")
     labels.write_bytes((head.format(900, 0, 0) + "\n").encode() + voxels)
     away = call("info", place / "v.nrrd", "--labels", labels, "--json", code=3)
     check(b"beside the scan" in away.stderr and json.loads(away.stdout)["reasons"] == ["labels-elsewhere"],

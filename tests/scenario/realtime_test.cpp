@@ -15,6 +15,7 @@
 #include "haptics/simulation/simulated.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
+#include "tests/support/made_distances.h"
 #include "tests/support/no_allocation.h"
 
 namespace {
@@ -141,6 +142,12 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
                          with.options)
           .value();
   const auto other = haptics::makeScene(volume, namedTool("drill"), kSpline).value();
+  haptics::Watch watch;
+  for (std::uint8_t n = 0; n < haptics::kMostWatched; ++n)
+    watch.structures.push_back({n, made::distanceMap(volume->grid, [&](const Vec3& p) {
+                                  return (p - 1e-3 * Vec3(double(n), 0.0, 0.0)).norm() - 5e-3;
+                                })});
+  long watched = 0;
   long touching = 0, recovering = 0, adopted = 0, recorded = 0, starts = 0;
   for (const HandMotion motion : kHands) {
     SCOPED_TRACE(int(motion));
@@ -163,6 +170,9 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
       touching += snapshot.contacts > 0;
       recovering += snapshot.reason == haptics::ForceReason::Inside;
       adopted += snapshot.scene == other->id;
+      EXPECT_EQ(snapshot.near.size(), loop.watch.load() == nullptr ? 0U : haptics::kMostWatched);
+      watched += !snapshot.near.empty();
+      loop.watch = part % 2 == 0 ? &watch : nullptr;
       // the isovalue down so that the tool is buried, and back; then another tool, and back
       settings.isovalue =
           part % 3 == 0 ? volume->least + 0.2 * (made.isovalue - volume->least) : made.isovalue;
@@ -187,6 +197,7 @@ TEST_P(EveryHand, NeitherAllocatesNorLocksInAnyTick) {
   EXPECT_GT(adopted, 0);
   EXPECT_GT(recorded, 1000);
   EXPECT_GT(starts, 7);
+  EXPECT_GT(watched, 20);
 }
 INSTANTIATE_TEST_SUITE_P(
     On, EveryHand,

@@ -450,7 +450,7 @@ TEST(Controllers, TheToolWaitsInTheSightOfTheFirstPicture) {
   window::showAndWait(window, {1000, 700});
   window.show(loaded.picture, loaded.isovalue, "Sphere");
   const haptics::Vec3 towards = window.views().volume().viewAxes().col(2);
-  const haptics::Vec3 tip = loaded.start * app::tipOf(scene.tool);
+  const haptics::Vec3 tip = loaded.start * scene.tool.shell.tip;
   // pushed in along the sight, the tip meets the ball straight
   EXPECT_LT(tip.cross(towards).norm(), 1e-3);
   EXPECT_NEAR(tip.norm(), 0.028, 0.003);  // m: 8 mm off the ball
@@ -470,7 +470,7 @@ TEST(Controllers, TheToolWaitsInFrontOfASlabWithItsTip) {
   ASSERT_TRUE(scene);
   const auto start = app::startPose(**scene, loaded.isovalue);
   ASSERT_TRUE(start);
-  const haptics::Vec3 tip = *start * app::tipOf((*scene)->tool);
+  const haptics::Vec3 tip = *start * (*scene)->tool.shell.tip;
   // which is seen from above
   EXPECT_GT(tip.z(), high.z() + 0.004);
   EXPECT_LT(tip.z(), high.z() + 0.010);

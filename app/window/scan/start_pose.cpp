@@ -61,7 +61,7 @@ std::optional<haptics::Pose> startPose(const haptics::Scene& scene, double isova
   if (depth >= reach) depth = 0.0;  // nothing there
   haptics::Pose X_WT = haptics::Pose::Identity();
   X_WT.linear() = haptics::Quat::FromTwoVectors(haptics::Vec3::UnitZ(), kHandle).toRotationMatrix();
-  const haptics::Vec3 tip = X_WT.linear() * tipOf(scene.tool);
+  const haptics::Vec3 tip = X_WT.linear() * scene.tool.shell.tip;
   // from where the whole tool is in front of the surface, nearer until something would touch
   double offset = depth - 2.0 * scene.tool.shell.radius - kStandOff;
   const auto touches = [&](double at) {

@@ -16,7 +16,6 @@ namespace {
 using haptics::Pose;
 using haptics::Vec3;
 
-constexpr double kSameHeight = 1e-4;  // m: points that make up the tip
 constexpr double kSearch = 0.030;     // m: how far the nearest surface is sought
 constexpr int kSearchDirections = 64;
 constexpr double kLeastStandOff = 0.0005;  // m between surface and tip
@@ -45,19 +44,6 @@ Pose poseWithTip(const Vec3& p_W, const Vec3& away, const Vec3& tip_T, const Pos
 }
 
 }  // namespace
-
-Vec3 tipOf(const haptics::Tool& tool) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : tool.shell.points) lowest = std::min(lowest, p.z());
-  Vec3 sum = Vec3::Zero();
-  int count = 0;
-  for (const Vec3& p : tool.shell.points)
-    if (p.z() < lowest + kSameHeight) {
-      sum += p;
-      ++count;
-    }
-  return count > 0 ? Vec3{sum / count} : Vec3{Vec3::Zero()};
-}
 
 std::optional<ui::SurfacePlace> nearestSurface(const haptics::Scene& scene, double isovalue,
                                                const Vec3& p_W) {
@@ -94,7 +80,7 @@ std::optional<Pose> poseAt(const haptics::Scene& scene, double isovalue,
   const ui::TouchedSurface touched =
       touchedSurfaceOf({std::shared_ptr<const haptics::Scene>{}, &scene});
   const haptics::Isosurface solid{scene.field, isovalue};
-  const Vec3 tip_T = tipOf(scene.tool);
+  const Vec3 tip_T = scene.tool.shell.tip;
   const double voxel = scene.field.voxel();
   const Vec3 aside = place.normal_W.unitOrthogonal();
   for (double lean_deg = 0.0; lean_deg <= kMostLean_deg; lean_deg += kLean_deg)

@@ -8,9 +8,6 @@
 
 namespace app {
 
-/// The lowest place of a tool, in the tool's frame [m]: the tip, on the side of -z.
-haptics::Vec3 tipOf(const haptics::Tool& tool);
-
 /// The place of the surface that is nearest to `p_W`, inside or outside of the solid, up to 30 mm
 /// away; none if there is none.
 std::optional<ui::SurfacePlace> nearestSurface(const haptics::Scene& scene, double isovalue,

@@ -77,7 +77,7 @@ void ViewController::bringTool(const haptics::Vec3& p_W, const haptics::Vec3& no
   // the mouse goes on until the tip bears on the surface
   const double press = kRestForce / std::max(shared_.settings.stiffness, kLeastStiffness);
   haptics::Pose X_WH = *X_WT;
-  X_WH.translation() += place->p_W - press * place->normal_W - *X_WT * tipOf(scene.tool);
+  X_WH.translation() += place->p_W - press * place->normal_W - *X_WT * scene.tool.shell.tip;
   emit toolPlaced(*X_WT, X_WH);
   views_.setCross(place->p_W * ui::kMmPerM);
 }
@@ -97,7 +97,7 @@ void ViewController::bringToCross() {
   const haptics::Vec3 cross_W = views_.cross_mm() / ui::kMmPerM;
   // in the open the tip goes to the very place, and the tool keeps its direction
   haptics::Pose X_WT = shared_.snapshot.X_WP;
-  X_WT.translation() = cross_W - X_WT.linear() * tipOf(scene.tool);
+  X_WT.translation() = cross_W - X_WT.linear() * scene.tool.shell.tip;
   const haptics::Isosurface solid{scene.field, isovalue};
   haptics::Budget unlimited = haptics::Budget::counted(std::numeric_limits<std::int64_t>::max());
   if (haptics::legal(solid, scene.tool.shell, X_WT, unlimited)) return emit toolPlaced(X_WT, X_WT);
@@ -119,7 +119,7 @@ void ViewController::liftTool() {
 
 void ViewController::moveCrossToTool() {
   if (!shared_.shown || shared_.snapshot.scene != shared_.shown->scene->id) return;
-  const haptics::Vec3 tip_W = shared_.snapshot.X_WP * tipOf(shared_.shown->scene->tool);
+  const haptics::Vec3 tip_W = shared_.snapshot.X_WP * shared_.shown->scene->tool.shell.tip;
   views_.setCross(tip_W * ui::kMmPerM);
 }
 

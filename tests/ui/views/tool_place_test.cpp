@@ -82,7 +82,7 @@ TEST(ToolPlace, StandsJustOffTheSurfaceAlongItsNormal) {
     ASSERT_TRUE(X);
     EXPECT_TRUE(isLegal(*scene, 50.0, *X));
     EXPECT_GT(X->linear().col(2).dot(normal), 0.9999);
-    const Vec3 tip = *X * app::tipOf(scene->tool);
+    const Vec3 tip = *X * scene->tool.shell.tip;
     EXPECT_GT(tip.norm(), 0.025);
     EXPECT_LT(tip.norm(), 0.0275);  // m
     EXPECT_LT((tip.normalized() - normal).norm(), 1e-3);
@@ -102,7 +102,7 @@ TEST(ToolPlace, LeansWhereTheNormalLeavesNoRoomAndNeverGoesThroughAWall) {
       app::poseAt(*scene, 50.0, {{0.006, -0.010, 0.0}, -Vec3::UnitX()}, Pose::Identity());
   ASSERT_TRUE(X);
   EXPECT_TRUE(isLegal(*scene, 50.0, *X));
-  const Vec3 tip = *X * app::tipOf(scene->tool);
+  const Vec3 tip = *X * scene->tool.shell.tip;
   EXPECT_GT(tip.x(), -0.006);  // still in the slot
   EXPECT_LT(tip.x(), 0.006);
   EXPECT_LT((tip - Vec3{0.006, -0.010, 0.0}).norm(), 0.008);
@@ -168,7 +168,7 @@ TEST(ToolPlace, TheMouseComesThereWithItsHandAndRestsOnTheSurface) {
   EXPECT_GT(now.contacts, 0);
   EXPECT_LT((now.X_WP.translation() - now.X_WD.translation()).norm(), 5e-4);
   const auto touched = app::touchedSurfaceOf(application.shown()->scene);
-  const Vec3 tip = now.X_WP * app::tipOf(application.shown()->scene->tool);
+  const Vec3 tip = now.X_WP * application.shown()->scene->tool.shell.tip;
   const auto met =
       touched.firstMet(tip, tip - 0.01 * now.X_WP.linear().col(2), application.shown()->isovalue);
   ASSERT_TRUE(met);
@@ -212,7 +212,7 @@ TEST(ToolPlace, AClickInASliceAndTheCrosshairAndASimulatedHand) {
   ui::MainWindow& window = application.window();
   ui::SliceView& axial = window.views().slice(ui::Plane::Axial);
   const haptics::Scene& scene = *application.shown()->scene;
-  const auto tip = [&] { return Vec3{application.snapshot().X_WP * app::tipOf(scene.tool)}; };
+  const auto tip = [&] { return Vec3{application.snapshot().X_WP * scene.tool.shell.tip}; };
   // the middle of the patient's left half, inside: to the nearest surface
   const Vec3 before = tip();
   const haptics::Grid& grid = application.shown()->picture.volume->grid;

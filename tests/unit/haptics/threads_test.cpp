@@ -11,10 +11,12 @@
 #include "datasets/phantoms/sampling.h"
 #include "haptics/core/latest_value.h"
 #include "haptics/proxy/tick.h"
+#include "haptics/scene/watch.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/step_ring.h"
 #include "haptics/session.h"
 #include "tests/support/made.h"
+#include "tests/support/made_distances.h"
 
 // To be run under the thread sanitizer too: what it says counts as a failure.
 
@@ -168,6 +170,10 @@ TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
   const auto other = made::scene(datasets::solid(datasets::centredGrid(48, 1e-3),
                                                  [](const auto& p) { return p.norm() - 0.010; }),
                                  made::tool(datasets::ballPoints(30, 2e-3)));
+  haptics::Watch around;
+  around.structures.push_back(
+      {3, made::distanceMap(datasets::centredGrid(24, 2e-3),
+                            [](const auto& p) { return p.norm() - 0.015; })});
   Session session;
   haptics::Settings settings{.isovalue = datasets::kSolidIso};
   session.set(settings);
@@ -182,11 +188,12 @@ TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
     const std::uint64_t snapshots_before = snapshots;
     std::uint64_t last = 0;
     int frame = 0;
-    bool off_seen = false;
+    bool off_seen = false, watched_seen = false, unwatched_seen = false;
     // on a machine that is busy the loop has fewer ticks, and misses moments in which the force is
     // off
     const auto goesOn = [&] {
-      return frame < 140 || !off_seen || last < 100 || snapshots < snapshots_before + 20;
+      return frame < 140 || !off_seen || !watched_seen || !unwatched_seen || last < 100 ||
+             snapshots < snapshots_before + 20;
     };
     while (goesOn() && frame < 20'000) {
       if (session.latest(snapshot)) {
@@ -197,6 +204,8 @@ TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
           EXPECT_TRUE(snapshot.felt_W.force.isZero(0.0));
           off_seen = true;
         }
+        watched_seen = watched_seen || snapshot.near.size() == 1;
+        unwatched_seen = unwatched_seen || snapshot.near.empty();
         last = snapshot.tick;
         ++snapshots;
       }
@@ -208,6 +217,9 @@ TEST(Session, OpensAdoptsSetsDropsTheForceAndClosesWhileTheLoopRuns) {
       if (frame % 20 == 10) session.adopt(frame % 40 == 10 ? other : sphere, snapshot.X_WD);
       if (frame % 16 == 8) session.forceOff();
       if (frame % 16 == 14) session.arm();
+      // each watch of its own, so that one that went too early would be missed
+      if (frame % 14 == 5) session.watch(std::make_shared<const haptics::Watch>(around));
+      if (frame % 14 == 12) session.watch(nullptr);
       session.collectGarbage();
       ++frame;
       std::this_thread::sleep_for(std::chrono::milliseconds{5});

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/outcome.h"
+#include "app/cli/sources.h"
+#include "haptics/scene/watch.h"
+
+namespace app::cli {
+
+/// The structures to which a run measures distances.
+struct WatchChoice {
+  std::string labels = {};           ///< a label map of the scan; empty: none is watched
+  std::vector<int> structures = {};  ///< counted from 1, as info counts them; empty: all
+};
+/// Adds --labels and --watch.
+void addWatching(CLI::App& command, WatchChoice& choice);
+
+/// The structures with their distance maps; null where none is watched. Refuses what readLabels()
+/// refuses, a number that no structure has, and more structures than a run can watch.
+haptics::Expected<std::shared_ptr<const haptics::Watch>> watchOver(const WatchChoice& choice,
+                                                                   const haptics::Volume& scan);
+
+/// The number by which the user knows a structure: from 1.
+inline int numberOf(const haptics::Watch::Watched& watched) { return watched.structure + 1; }
+
+/// How near the tool came to each structure.
+class Nearest {
+ public:
+  explicit Nearest(std::shared_ptr<const haptics::Watch> watch);
+  void add(double time, const haptics::Nearnesses& near);
+  /// Of each structure the least distance of tip and tool, when it was, and how well it is known.
+  nlohmann::ordered_json report() const;
+
+ private:
+  struct Least {
+    float tip, nearest;  ///< m
+    double at = 0.0;     ///< s: when the tool was nearest
+  };
+  std::shared_ptr<const haptics::Watch> watch_;
+  std::vector<Least> least_;
+};
+
+}  // namespace app::cli
