@@ -83,6 +83,7 @@ void RecordedRun::write(const haptics::TraceRow& row) {
   step.force_state = row.force_state;
   step.flags = haptics::StepFlags::kArmed;
   step.contacts = row.bearing;
+  step.near = row.near;
   ring.push(step);
 }
 

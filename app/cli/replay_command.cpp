@@ -10,6 +10,9 @@
 #include "app/export/facts.h"
 #include "app/recording/facts.h"
 #include "app/recording/replay.h"
+#ifdef PALPATE_READERS
+#include "app/cli/watching.h"
+#endif
 
 namespace app::cli {
 namespace {
@@ -17,6 +20,9 @@ namespace {
 struct ReplayOptions {
   std::string file = {};
   VolumeChoice volume;
+#ifdef PALPATE_READERS
+  WatchChoice watch;
+#endif
 };
 
 /// Whether this installation made it: the programs of one have builds of their own, and a commit.
@@ -70,7 +76,14 @@ Outcome replay(const ReplayOptions& options) {
     }
     return last = *made;
   };
-  const auto difference = replay(*recording, sceneOf, [](double) { return !interrupted(); });
+  std::shared_ptr<const haptics::Watch> watch;
+#ifdef PALPATE_READERS
+  auto watched = watchOver(options.watch, **volume);
+  if (!watched) return refused(watched.error());
+  watch = *watched;
+#endif
+  const auto difference = replay(
+      *recording, sceneOf, [](double) { return !interrupted(); }, watch.get());
   if (!difference) return refused(difference.error());
   if (failed) return refused(*failed);
 
@@ -83,6 +96,10 @@ Outcome replay(const ReplayOptions& options) {
   outcome.json["max_angle_rad"] = difference->angle;
   outcome.json["max_force_N"] = difference->force;
   outcome.json["max_torque_Nm"] = difference->torque;
+  if (watch) {
+    outcome.json["distances"] = difference->distances;
+    outcome.json["differing_distances"] = difference->differing_distances;
+  }
   outcome.json["volume"] = !same ? "another" : known ? "same" : "unknown";
   outcome.json["recorded_by"] = recording->version();
   outcome.json["same_build"] = isOfThisBuild(*recording);
@@ -97,7 +114,7 @@ Outcome replay(const ReplayOptions& options) {
         (difference->differing > 0 ? "The replay differs from the recording."
                                    : "No step that was recorded came across them.");
     outcome.json["reasons"] = {"another-volume"};
-  } else if (difference->differing > 0) {
+  } else if (difference->differing > 0 || difference->differing_distances > 0) {
     outcome.code = Exit::Failed;
     outcome.error = "The replay differs from the recording.";
   }
@@ -132,6 +149,9 @@ void addReplay(CLI::App& program, Chosen& chosen) {
       ->excludes(path)
       ->check(notEmpty());
   addReading(*command, options->volume);
+#ifdef PALPATE_READERS
+  addWatching(*command, options->watch);
+#endif
   command->callback([options, &chosen] { chosen = [options] { return replay(*options); }; });
 }
 

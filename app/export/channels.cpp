@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "app/export/facts.h"
@@ -17,6 +18,12 @@ using haptics::Vec3;
 using nlohmann::ordered_json;
 
 void append(std::string& line, double number) {
+  if (std::isfinite(number))
+    appendNumber(line, number);
+  else
+    line += kMissing;
+}
+void append(std::string& line, float number) {
   if (std::isfinite(number))
     appendNumber(line, number);
   else
@@ -105,6 +112,28 @@ std::string scenesOf(const Recording& recording) {
 
 }  // namespace
 
+float NearnessColumn::of(const Step& step) const {
+  for (const haptics::Nearness& one : step.near)
+    if (one.structure == structure) return one.*distance;
+  return std::numeric_limits<float>::quiet_NaN();
+}
+
+std::vector<NearnessColumn> nearnessColumns(const Recording& recording) {
+  std::vector<NearnessColumn> columns;
+  for (const std::uint8_t structure : recording.structures()) {
+    const std::string number = std::to_string(structure + 1);
+    const std::string to = " to the surface of structure " + number +
+                           " of the label map; negative inside, and where it is far the greatest "
+                           "distance that is told";
+    columns.push_back({structure, &haptics::Nearness::tip, "tip_to_" + number,
+                       "structures/" + number + "/tip", "distance of the tool's tip" + to});
+    columns.push_back({structure, &haptics::Nearness::nearest, "nearest_to_" + number,
+                       "structures/" + number + "/nearest",
+                       "distance of the tool's nearest point" + to});
+  }
+  return columns;
+}
+
 std::vector<Channel> motionChannels(const Recording& recording) {
   std::vector<Channel> all;
   const auto add = [&](std::vector<Channel> channels) {
@@ -136,6 +165,11 @@ std::vector<Channel> motionChannels(const Recording& recording) {
                 append(line, static_cast<std::int64_t>(value));
             });
           }));
+  for (const NearnessColumn& column : nearnessColumns(recording))
+    all.push_back(single(column.name.c_str(), "m", sentence(column.meaning),
+                         [column](std::string& line, const RecordedStep& row) {
+                           append(line, column.of(row.step));
+                         }));
   add({single("step", "", "Number of the tick since the recording began",
               [](std::string& line, const RecordedStep& row) {
                 append(line, static_cast<std::int64_t>(row.step.sequence));

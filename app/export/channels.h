@@ -16,9 +16,23 @@ inline constexpr const char* kFrame = "scan";
 
 /// Shortest digits; kMissing for what is not finite.
 void append(std::string& line, double number);
+void append(std::string& line, float number);
 void append(std::string& line, std::int64_t number);
 /// Seconds with all nine decimals: as exact as the ns.
 void appendSeconds(std::string& line, std::int64_t ns);
+
+/// What is told of the distance to a structure, by its number from 1.
+struct NearnessColumn {
+  std::uint8_t structure;  ///< from 0
+  float haptics::Nearness::*distance;
+  std::string name;     ///< "tip_to_3"
+  std::string path;     ///< "structures/3/tip"
+  std::string meaning;  ///< a clause
+  /// m; not a number: the structure was not watched.
+  float of(const haptics::Step& step) const;
+};
+/// Of the structures that the recording watched; none if it watched none.
+std::vector<NearnessColumn> nearnessColumns(const Recording& recording);
 
 /// A column of the tables of text: of CSV and of Motion-BIDS.
 struct Channel {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/export/channels.h"
 #include "app/export/export.h"
 #include "app/export/facts.h"
 #include "app/export/selection.h"
@@ -183,7 +184,7 @@ std::unique_ptr<ColumnTable> ColumnTable::of(const StepColumn& column, hid_t fil
 
 /// All that has a row per step.
 struct StepTables {
-  explicit StepTables(hid_t file)
+  StepTables(hid_t file, const Recording& recording)
       : time{file, "time", 0, "ns", "time since the recording began"},
         step{file, "step", 0, "", "number of the tick since the recording began"},
         device_position{file, "device/position", 3, "m", "device as it was read: x, y, z"},
@@ -195,6 +196,10 @@ struct StepTables {
         friction{file, "friction_force", 3, "N", kFrictionMeaning} {
     for (const StepColumn& column : stepColumns())
       if (column.path != nullptr) columns.push_back(ColumnTable::of(column, file));
+    distances = nearnessColumns(recording);
+    for (const NearnessColumn& column : distances)
+      near.push_back(std::make_unique<Table<float>>(file, column.path.c_str(), 0, "m",
+                                                    column.meaning.c_str()));
   }
 
   void add(const RecordedStep& row) {
@@ -209,6 +214,7 @@ struct StepTables {
     torque.add(tick.sent_W.torque);
     friction.add(frictionOf(tick));
     for (const auto& column : columns) column->add(row);
+    for (std::size_t n = 0; n < near.size(); ++n) near[n]->add(distances[n].of(tick));
   }
   /// Calls f with each.
   template <class F>
@@ -216,6 +222,7 @@ struct StepTables {
     f(time), f(step), f(device_position), f(device_orientation), f(proxy_position),
         f(proxy_orientation), f(force), f(torque), f(friction);
     for (const auto& column : columns) f(*column);
+    for (const auto& table : near) f(*table);
   }
 
   Table<std::int64_t> time;
@@ -223,6 +230,8 @@ struct StepTables {
   Table<double> device_position, device_orientation, proxy_position, proxy_orientation;
   Table<double> force, torque, friction;
   std::vector<std::unique_ptr<ColumnTable>> columns;
+  std::vector<NearnessColumn> distances;
+  std::vector<std::unique_ptr<Table<float>>> near;
 };
 
 /// The contacts of all steps, one after another, and where those of a step begin.
@@ -352,7 +361,7 @@ haptics::Expected<Exported> exportHdf5(Recording& recording, const std::filesyst
   Handle file{H5Fcreate(output->part().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose};
   if (!note(file >= 0)) return unwritable();
   {
-    StepTables steps{file};
+    StepTables steps{file, recording};
     std::optional<ContactTables> contacts;
     if (options.contacts) contacts.emplace(file);
     const auto done = forEachChosen(recording, options, [&](const RecordedStep& row) {

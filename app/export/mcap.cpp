@@ -73,7 +73,16 @@ struct Topic {
   std::string name, schema;
   std::string properties;  ///< of the JSON schema
 };
-enum TopicNumber : std::uint16_t { Device, Proxy, Wrench, Contacts, Tick, Settings, Event };
+enum TopicNumber : std::uint16_t {
+  Device,
+  Proxy,
+  Wrench,
+  Contacts,
+  Tick,
+  Settings,
+  Event,
+  Structures
+};
 constexpr const char* kPoseProperties =
     R"("timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},"frame_id":{"type":"string"},"pose":{"type":"object","properties":{"position":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"}}},"orientation":{"type":"object","properties":{"x":{"type":"number"},"y":{"type":"number"},"z":{"type":"number"},"w":{"type":"number"}}}}})";
 
@@ -118,7 +127,9 @@ const std::vector<Topic>& topics() {
       {"/tick", "palpate.Tick", R"("step":{"type":"integer"},)" + propertiesOf(Tick)},
       {"/settings", "palpate.Settings", propertiesOf(Settings)},
       {"/event", "palpate.Event",
-       R"("step":{"type":"integer"},"kind":{"type":"string"},"value":{"type":["number","null"]},"note":{"type":"string"})"}};
+       R"("step":{"type":"integer"},"kind":{"type":"string"},"value":{"type":["number","null"]},"note":{"type":"string"})"},
+      {"/structures", "palpate.Structures",
+       R"("structures":{"type":"array","items":{"type":"object","properties":{"number":{"type":"integer","description":"in the label map, from 1"},"tip":{"type":"number","description":"m, distance of the tool's tip; negative inside"},"nearest":{"type":"number","description":"m, of its nearest point"}}}})"}};
   return kTopics;
 }
 
@@ -336,7 +347,8 @@ class Json {
     return *this;
   }
   /// With a point or an exponent, so that -0 stays one; null where it is not finite.
-  Json& number(double value) {
+  template <std::floating_point Number>
+  Json& number(Number value) {
     if (!std::isfinite(value)) return raw("null");
     const std::size_t start = text_.size();
     appendNumber(text_, value);
@@ -373,6 +385,15 @@ void writeContacts(Json& json, const Step& step) {
     json.raw(i == 0 ? "" : ",").raw(R"({"arm":)").vector(contact.r_W);
     json.raw(R"(,"normal":)").vector(contact.n_W);
     json.raw(R"(,"push":)").number(contact.push).raw("}");
+  }
+  json.raw("]}");
+}
+void writeStructures(Json& json, const Step& step) {
+  json.raw(R"({"structures":[)");
+  for (std::size_t i = 0; i < step.near.size(); ++i) {
+    const haptics::Nearness& near = step.near[i];
+    json.raw(i == 0 ? "" : ",").raw(R"({"number":)").number(std::int64_t{near.structure} + 1);
+    json.raw(R"(,"tip":)").number(near.tip).raw(R"(,"nearest":)").number(near.nearest).raw("}");
   }
   json.raw("]}");
 }
@@ -454,6 +475,8 @@ haptics::Expected<Exported> exportMcap(Recording& recording, const std::filesyst
             send(Proxy, time, [&](Json& to) { writePose(to, time, row.proxy); }) &&
             send(Wrench, time, [&](Json& to) { writeWrench(to, step); }) &&
             send(Tick, time, [&](Json& to) { writeTick(to, row); });
+    if (!step.near.empty())
+      going = going && send(Structures, time, [&](Json& to) { writeStructures(to, step); });
     if (options.contacts)
       going = going && send(Contacts, time, [&](Json& to) { writeContacts(to, step); });
     return going;

@@ -174,7 +174,34 @@ bool readContacts(std::span<const std::uint8_t> bytes, Layout layout,
   return bytes.empty();
 }
 
+// a tenth of a micrometre
+constexpr double kPerNearness = 1e7;
+
+/// The distances of the block's steps, whose structures are known.
+bool readNearness(std::span<const std::uint8_t> bytes, Layout layout,
+                  std::span<const std::uint8_t> structures, std::vector<PartlyRead>& steps) {
+  std::vector<std::uint64_t> values(steps.size());
+  for (const std::uint8_t structure : structures)
+    for (PartlyRead& read : steps) read.row.step.near.push({structure});
+  for (std::size_t of = 0; of < structures.size(); ++of)
+    for (float haptics::Nearness::*number :
+         {&haptics::Nearness::tip, &haptics::Nearness::nearest}) {
+      if (!take(bytes, contactBytes(layout), layout, values)) return false;
+      for (std::size_t i = 0; i < steps.size(); ++i)
+        steps[i].row.step.near[of].*number =
+            layout == Layout::Rounded ? static_cast<float>(unrounded(values[i], kPerNearness))
+                                      : std::bit_cast<float>(static_cast<std::uint32_t>(values[i]));
+    }
+  return bytes.empty();
+}
+
 }  // namespace
+
+bool isNext(const haptics::Step& step, const haptics::Step& next) {
+  return next.sequence == step.sequence + 1 &&
+         std::ranges::equal(step.near, next.near, {}, &haptics::Nearness::structure,
+                            &haptics::Nearness::structure);
+}
 
 Block encoded(std::span<const haptics::Step> steps, Layout layout) {
   Block block{.first = steps.front().sequence,
@@ -217,6 +244,22 @@ Block encoded(std::span<const haptics::Step> steps, Layout layout) {
     put(values, contactBytes(layout), layout, bytes);
   }
   block.contacts = compressed(bytes);
+
+  bytes.clear();
+  values.resize(rows.size());
+  for (std::size_t of = 0; of < steps.front().near.size(); ++of) {
+    block.structures.push_back(steps.front().near[of].structure);
+    for (float haptics::Nearness::*number :
+         {&haptics::Nearness::tip, &haptics::Nearness::nearest}) {
+      std::ranges::transform(steps, values.begin(), [&](const haptics::Step& step) {
+        const float distance = step.near[of].*number;
+        return layout == Layout::Rounded ? rounded(double(distance), kPerNearness)
+                                         : std::bit_cast<std::uint32_t>(distance);
+      });
+      put(values, contactBytes(layout), layout, bytes);
+    }
+  }
+  block.nearness = compressed(bytes);
   return block;
 }
 
@@ -240,6 +283,10 @@ haptics::Expected<std::vector<RecordedStep>> decoded(const Block& block, Layout 
                                   : std::size(kContactColumns) * mostColumnBytes(contact_count));
   if (places.size() != contact_count || !unpack(block.contacts, bytes) ||
       !readContacts(bytes, layout, places, read))
+    return damagedBlock();
+  if (block.structures.size() > haptics::kMostWatched) return damagedBlock();
+  bytes.resize(2 * block.structures.size() * mostColumnBytes(count));
+  if (!unpack(block.nearness, bytes) || !readNearness(bytes, layout, block.structures, read))
     return damagedBlock();
   std::vector<RecordedStep> steps;
   for (const PartlyRead& one : read) steps.push_back(one.row);

@@ -27,11 +27,17 @@ struct Block {
   std::vector<std::uint8_t> steps = {};
   std::int64_t contact_count = 0;
   std::vector<std::uint8_t> contacts = {};
+  std::vector<std::uint8_t> structures = {};  ///< that all of its steps watch, from 0
+  std::vector<std::uint8_t> nearness = {};    ///< of each of them tip, then nearest
 };
 
 inline constexpr std::int64_t kMostStepsInBlock = 1024;
 
-/// At least one and at most kMostStepsInBlock steps, their sequences without a gap.
+/// Whether two steps may lie in one block, the second behind the first: no step is missing between
+/// them, and they watch the same structures.
+bool isNext(const haptics::Step& step, const haptics::Step& next);
+
+/// At least one and at most kMostStepsInBlock steps, each of them isNext to the one before.
 Block encoded(std::span<const haptics::Step> steps, Layout layout);
 /// Refuses an invalid block, reason "damaged".
 haptics::Expected<std::vector<RecordedStep>> decoded(const Block& block, Layout layout);

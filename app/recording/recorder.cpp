@@ -190,6 +190,7 @@ class Recorder::Writer {
   void discard();
   bool commit();
   bool writeSteps();
+  bool writeNearness(const Block& block);
   bool writeScenes(const std::vector<Described>& scenes);
   void takeStarts();
   bool writeEvent(Statement& insert, const Event& event);
@@ -223,6 +224,7 @@ class Recorder::Writer {
   std::optional<haptics::Step> last_;  ///< the newest that was taken from the ring
   std::int64_t written_ = 0, lost_ = 0;
   std::uint64_t late_ = 0, missed_ = 0;  ///< since the last commit
+  bool watches_ = false;                 ///< the file has the table of distances
   std::thread thread_;
 };
 
@@ -343,7 +345,7 @@ bool Recorder::Writer::writeScenes(const std::vector<Described>& scenes) {
       "triangles) VALUES (?, ?, ?, ?, NULL, ?, ?, ?)");
   for (const auto& [scene, tool] : scenes) {
     // who knows no edits would replay over the scan
-    if (scene->volume->derivation && layout_ == Layout::Exact &&
+    if (scene->volume->derivation && layout_ == Layout::Exact && !watches_ &&
         !database_->run(("PRAGMA user_version = " + std::to_string(kFormatOfEdits)).c_str()))
       return false;
     const SceneWords words = wordsOf(*scene);
@@ -384,7 +386,7 @@ bool Recorder::Writer::writeSteps() {
   for (std::size_t begin = 0; begin < all.size();) {
     std::size_t end = begin + 1;
     while (end < all.size() && end - begin < std::size_t{kMostStepsInBlock} &&
-           all[end].sequence == all[end - 1].sequence + 1)
+           isNext(all[end - 1], all[end]))
       ++end;
     const Block block = encoded(all.subspan(begin, end - begin), layout_);
     const auto first = static_cast<std::int64_t>(block.first);
@@ -400,6 +402,7 @@ bool Recorder::Writer::writeSteps() {
                                         .bind(3, std::span{block.contacts})
                                         .run())
       return false;
+    if (!block.structures.empty() && !writeNearness(block)) return false;
     begin = end;
   }
   // an event for each would be most of the file on a busy machine: the steps have them
@@ -414,6 +417,25 @@ bool Recorder::Writer::writeSteps() {
   addSum("late", late_);
   addSum("missed", missed_);
   return true;
+}
+
+bool Recorder::Writer::writeNearness(const Block& block) {
+  if (!watches_) {
+    // who knows no such table would not take the file for a recording
+    const int format = layout_ == Layout::Exact ? kFormatOfStructures : kFormatOfRoundedStructures;
+    if (!database_->run(kNearnessTable) ||
+        !database_->run(("PRAGMA user_version = " + std::to_string(format)).c_str()))
+      return false;
+    watches_ = true;
+  }
+  std::string structures;
+  for (const std::uint8_t structure : block.structures)
+    structures += (structures.empty() ? "[" : ",") + std::to_string(structure + 1);
+  return database_->prepare("INSERT INTO nearness (first, structures, data) VALUES (?, ?, ?)")
+      .bind(1, static_cast<std::int64_t>(block.first))
+      .bind(2, structures + "]")
+      .bind(3, std::span{block.nearness})
+      .run();
 }
 
 /// What is worth an event of its own between two steps.
@@ -611,7 +633,8 @@ haptics::Expected<fs::path> recover(const fs::path& part) {
     return database->isBusy()
                ? refused({"recovery-in-use", {part.string()}}, "in-use")
                : refused({"recovery-failed", {part.string(), database->complaint()}}, "damaged");
-  if (database->integer("PRAGMA application_id") != kApplicationId || !database->hasSchema(kSchema))
+  if (database->integer("PRAGMA application_id") != kApplicationId ||
+      !database->hasSchema(schemaOf(database->integer("PRAGMA user_version")).c_str()))
     return noRecording();
   if (database->integer("SELECT count(*) FROM step") == 0)
     return refused({"recovery-empty", {part.string()}}, "empty");

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "app/recording/recorder.h"
 #include "app/recording/schema.h"
+#include "haptics/process/input_file.h"
 
 namespace app {
 
@@ -51,7 +54,7 @@ haptics::Expected<Database> opened(const fs::path& path, const std::atomic<bool>
   if (format > kHighestFormat)
     return refused(haptics::Error::Kind::Unsupported, {"file-of-later-palpate", {path.string()}},
                    "newer");
-  if (format < kFormatOfScans || !database->hasSchema(kSchema))
+  if (format < kFormatOfScans || !database->hasSchema(schemaOf(format).c_str()))
     return refused(haptics::Error::Kind::Malformed,
                    {"recording-of-another-program", {path.string()}}, "damaged");
   return database;
@@ -66,6 +69,23 @@ std::int64_t bytesInFile(const fs::path& path) {
   std::error_code error;
   const auto size = fs::file_size(path, error);
   return error ? 0 : static_cast<std::int64_t>(size);
+}
+
+/// The structures of a block of distances, from 0: of a list of at most kMostWatched numbers from
+/// 1, each of them once.
+std::optional<std::vector<std::uint8_t>> structuresFrom(const std::string& words) {
+  const nlohmann::json list = haptics::isNestedDeeper(words, 1)
+                                  ? nlohmann::json{}
+                                  : nlohmann::json::parse(words, nullptr, false);
+  if (!list.is_array() || list.empty() || list.size() > haptics::kMostWatched) return {};
+  std::vector<std::uint8_t> structures;
+  for (const nlohmann::json& number : list) {
+    if (!number.is_number_integer() || number < 1 || number > 255) return {};
+    const auto structure = static_cast<std::uint8_t>(number.get<int>() - 1);
+    if (std::ranges::find(structures, structure) != structures.end()) return {};
+    structures.push_back(structure);
+  }
+  return structures;
 }
 
 std::optional<VolumeHash> hashIn(Statement& row, int column) {
@@ -93,7 +113,9 @@ haptics::Expected<Recording> Recording::open(const fs::path& path,
 }
 
 haptics::Expected<void> Recording::read() {
-  if (database_.integer("PRAGMA user_version") >= kFormatOfRounding) layout_ = Layout::Rounded;
+  const std::int64_t format = database_.integer("PRAGMA user_version");
+  if (isRounded(format)) layout_ = Layout::Rounded;
+  has_structures_ = hasStructures(format);
   Statement meta = database_.prepare("SELECT key, value FROM meta LIMIT 100");
   Statement::Step at;
   for (at = meta.step(); at == Statement::Step::Row; at = meta.step()) {
@@ -106,6 +128,7 @@ haptics::Expected<void> Recording::read() {
   }
   if (at == Statement::Step::Failed) return damagedRecording();
   if (auto read = readBlocks(); !read) return read;
+  if (auto read = readStructures(); !read) return read;
   if (auto read = readEvents(); !read) return read;
   return readScenes();
 }
@@ -128,6 +151,21 @@ haptics::Expected<void> Recording::readBlocks() {
     blocks_.push_back(entry);
   }
   if (at == Statement::Step::Failed) return damagedRecording();
+  return {};
+}
+
+haptics::Expected<void> Recording::readStructures() {
+  if (!has_structures_) return {};
+  std::set<std::uint8_t> all;
+  Statement rows = database_.prepare("SELECT DISTINCT structures FROM nearness");
+  Statement::Step at;
+  for (at = rows.step(); at == Statement::Step::Row; at = rows.step()) {
+    const auto structures = structuresFrom(rows.text(0));
+    if (!structures) return damagedRecording();
+    all.insert(structures->begin(), structures->end());
+  }
+  if (at == Statement::Step::Failed) return damagedRecording();
+  structures_.assign(all.begin(), all.end());
   return {};
 }
 
@@ -232,6 +270,17 @@ haptics::Expected<std::vector<RecordedStep>> Recording::block(std::size_t index)
   if (found == Statement::Step::Row) {
     block.contact_count = contacts.integer(0);
     block.contacts = contacts.blob(1);
+  }
+  if (has_structures_) {
+    Statement nearness = database_.prepare("SELECT structures, data FROM nearness WHERE first = ?");
+    const Statement::Step near = nearness.bind(1, entry.first).step();
+    if (near == Statement::Step::Failed) return damagedRecording();
+    if (near == Statement::Step::Row) {
+      const auto structures = structuresFrom(nearness.text(0));
+      if (!structures) return damagedRecording();
+      block.structures = *structures;
+      block.nearness = nearness.blob(1);
+    }
   }
   return decoded(block, layout_);
 }

@@ -56,6 +56,9 @@ class Recording {
   const RecordedScene* scene(
       std::uint32_t id) const;  ///< null if there is no scene with this number
 
+  /// The structures, from 0, to which distances were measured in some of its steps (Step::near).
+  const std::vector<std::uint8_t>& structures() const { return structures_; }
+
   std::size_t blockCount() const { return blocks_.size(); }
   /// The block with the last step at or before a time [s]; the first block for earlier times.
   std::size_t blockAt(double time) const;
@@ -76,12 +79,15 @@ class Recording {
       : database_{std::move(database)}, bytes_{bytes} {}
   haptics::Expected<void> read();
   haptics::Expected<void> readBlocks();
+  haptics::Expected<void> readStructures();
   haptics::Expected<void> readEvents();
   haptics::Expected<void> readScenes();
 
   Database database_;
   std::int64_t bytes_;  ///< of the file
   Layout layout_ = Layout::Exact;
+  bool has_structures_ = false;
+  std::vector<std::uint8_t> structures_;
   std::string version_, build_, machine_, vectors_, about_;
   std::int64_t step_count_ = 0, lost_ = 0;
   std::vector<Entry> blocks_;

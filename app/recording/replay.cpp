@@ -41,6 +41,22 @@ void compare(const RecordedStep& recorded, const haptics::Pose& X_WP, const hapt
   grow(difference.torque, (sent_W.torque - then.torque).norm());
 }
 
+/// The distances to the structures that were watched then and are watched now.
+void compareDistances(const RecordedStep& recorded, const haptics::Watch& watch,
+                      const haptics::Scene& scene, const haptics::Pose& X_WP,
+                      ReplayDifference& difference) {
+  haptics::Nearnesses now;
+  haptics::measure(watch, scene, X_WP, now);
+  const float rounding = recorded.check ? 0.51e-7F : 0.0F;  // m
+  for (const haptics::Nearness& then : recorded.step.near) {
+    const auto* same = std::ranges::find(now, then.structure, &haptics::Nearness::structure);
+    if (same == now.end()) continue;
+    ++difference.distances;
+    difference.differing_distances += !(std::abs(same->tip - then.tip) <= rounding &&
+                                        std::abs(same->nearest - then.nearest) <= rounding);
+  }
+}
+
 }  // namespace
 
 haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
@@ -56,7 +72,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
 haptics::Expected<ReplayDifference> replay(
     Recording& recording,
     const std::function<std::shared_ptr<const haptics::Scene>(std::uint32_t)>& scene,
-    const std::function<bool(double)>& goes_on) {
+    const std::function<bool(double)>& goes_on, const haptics::Watch* watch) {
   ReplayDifference difference;
   std::map<std::uint32_t, std::shared_ptr<const haptics::Scene>> scenes;
   std::unique_ptr<haptics::Engagement> touched;
@@ -108,6 +124,8 @@ haptics::Expected<ReplayDifference> replay(
         {step.X_WD, step.settings, step.flags}, engaged ? engaged->scene.get() : nullptr,
         engaged ? &engaged->proxy : nullptr, *safety, rate.period(), budget);
     compare(recorded, engaged ? engaged->proxy.X_WP : step.X_WD, result.sent_W, difference);
+    if (watch != nullptr && engaged != nullptr)
+      compareDistances(recorded, *watch, *engaged->scene, engaged->proxy.X_WP, difference);
     return true;
   };
   const double everything = std::numeric_limits<double>::infinity();

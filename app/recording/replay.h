@@ -10,6 +10,7 @@
 #include "datasets/edits/edit_history.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
+#include "haptics/scene/watch.h"
 
 namespace app {
 
@@ -26,6 +27,9 @@ struct ReplayDifference {
   double angle = 0.0;     ///< rad
   double force = 0.0;     ///< N
   double torque = 0.0;    ///< N·m
+  // Of the distances to structures, if there is a watch.
+  std::int64_t distances = 0;            ///< compared
+  std::int64_t differing_distances = 0;  ///< by more than their rounding
 };
 
 /// The volume of a recorded scene: the scan after the scene's edits. Refuses edits that do not fit
@@ -37,10 +41,10 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
 /// Runs the algorithm with the recorded device path, settings and cuts. `scene` returns the scene
 /// with a number, or null if it is not available; it is called once for each scene. `goes_on` is
 /// called with the completed fraction. If it returns false, the replay ends with reason
-/// "cancelled".
+/// "cancelled". `watch`: structures to which distances are measured and compared; may be null.
 haptics::Expected<ReplayDifference> replay(
     Recording& recording,
     const std::function<std::shared_ptr<const haptics::Scene>(std::uint32_t)>& scene,
-    const std::function<bool(double)>& goes_on);
+    const std::function<bool(double)>& goes_on, const haptics::Watch* watch = nullptr);
 
 }  // namespace app

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A Palpate recording with nothing but Python: steps(path) gives a dict a step, contacts(path) one a
-contact, by the names and types that the recording itself tells; units(path) gives their units."""
+contact, by the names and types that the recording itself tells; units(path) gives their units. distances(path)
+gives those to structures."""
 import array
 import itertools
 import json
@@ -83,6 +84,19 @@ def contacts(path):
     """With the sequence of the step that each belongs to."""
     for first, _, touching in _blocks(path):
         yield from ({"sequence": first + i, **touching[i, k]} for i, k in sorted(touching))
+
+
+def distances(path):
+    """Of the steps in which structures were watched: tip_to_N and nearest_to_N [m] for each number N."""
+    file, rounding, _, _ = _opened(path)
+    if not file.execute("SELECT 1 FROM sqlite_schema WHERE name = 'nearness'").fetchone():
+        return
+    for first, count, structures, packed in file.execute(
+            "SELECT first, count, structures, nearness.data FROM nearness JOIN step USING (first) ORDER BY first"):
+        layout = [[f"{what}_to_{number}", "float32", "m", *([1e7] if rounding else [])]
+                  for number in json.loads(structures) for what in ("tip", "nearest")]
+        yield from ({"sequence": first + i, **row}
+                    for i, row in enumerate(_rows(packed, count, layout, rounding)))
 
 
 def units(path):

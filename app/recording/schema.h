@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <string>
+
 namespace app {
 
 inline constexpr int kApplicationId = 0x50414c50;  ///< "PALP"
@@ -8,7 +11,17 @@ inline constexpr int kApplicationId = 0x50414c50;  ///< "PALP"
 inline constexpr int kFormatOfScans = 2;
 inline constexpr int kFormatOfEdits = 3;     ///< from the first scene with an edited volume on
 inline constexpr int kFormatOfRounding = 4;  ///< Layout::Rounded; volumes edited or not
-inline constexpr int kHighestFormat = kFormatOfRounding;
+// The same two layouts, from the first step on in which structures were watched.
+inline constexpr int kFormatOfStructures = 5;
+inline constexpr int kFormatOfRoundedStructures = 6;
+inline constexpr int kHighestFormat = kFormatOfRoundedStructures;
+
+/// Whether a recording of this format has kNearnessTable.
+constexpr bool hasStructures(std::int64_t format) { return format >= kFormatOfStructures; }
+/// Whether its numbers are stored as Layout::Rounded.
+constexpr bool isRounded(std::int64_t format) {
+  return format == kFormatOfRounding || format == kFormatOfRoundedStructures;
+}
 
 /// The tables of a recording; README.md of this folder documents them.
 inline constexpr const char* kSchema = R"(
@@ -23,5 +36,14 @@ CREATE TABLE scene (id INTEGER PRIMARY KEY, tool TEXT NOT NULL, settings TEXT NO
   volume TEXT NOT NULL, volume_hash BLOB, points BLOB NOT NULL, vertices BLOB NOT NULL,
   triangles BLOB NOT NULL) STRICT;
 )";
+/// Distances to structures, of the steps of a block. `structures`: their numbers, from 1, as JSON.
+inline constexpr const char* kNearnessTable = R"(
+CREATE TABLE nearness (first INTEGER PRIMARY KEY, structures TEXT NOT NULL, data BLOB NOT NULL)
+  STRICT;
+)";
+/// The tables of a recording of this format.
+inline std::string schemaOf(std::int64_t format) {
+  return hasStructures(format) ? std::string{kSchema} + kNearnessTable : kSchema;
+}
 
 }  // namespace app

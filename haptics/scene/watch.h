@@ -12,15 +12,39 @@
 
 namespace haptics {
 
+/// How a structure is felt, beside the isosurface.
+struct Feel {
+  enum class Kind : std::uint8_t {
+    AsScan,  ///< as the scan has it: nothing changes
+    Softer,  ///< where it is touched, what is felt gives way
+    Guarded  ///< a force keeps the tool away from it
+  };
+  Kind kind = Kind::AsScan;
+  double stiffness = 300.0;  ///< Softer: N/m of the tissue, above 0, in series with the coupling's
+  double margin = 0.002;     ///< Guarded: m, from where on it is felt; above 0, and below told()
+  double most = 2.0;         ///< Guarded: N, at the structure and within
+};
+
 /// Structures to which the tool's distance is known in every tick. Immutable; it has its own order
 /// and belongs to no scene.
 struct Watch {
   struct Watched {
     std::uint8_t structure = 0;  ///< its number in the label map
     DistanceMap distances;
+    Feel feel = {};
   };
   std::vector<Watched> structures;  ///< at most kMostWatched
 };
+
+/// The shell point that is nearest to a structure, and its distance [m]. The index is in the
+/// shell's points; -1: none is nearer than `below`, which is the distance then.
+struct NearestPoint {
+  double distance = 0.0;
+  int index = -1;
+};
+/// Of the tool at X_WT.
+NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
+                          double below) HAPTICS_RT;
 
 /// Measures the distances of the tool at X_WP to every structure of the watch. The same watch, tool
 /// and pose give the same bits. Nearest is the least over all shell points; the tree leaves out

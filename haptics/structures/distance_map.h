@@ -37,26 +37,61 @@ struct DistanceMap {
 
   /// The same, at an index of the samples.
   double atIndex(const Vec3& at) const HAPTICS_RT {
+    const Cell cell = cellAt(at);
+    if (cell.first == nullptr) return most;
+    const double near = cell.across(cell.first), far = cell.across(cell.first + cell.slice);
+    return step * (near + cell.part[2] * (far - near));
+  }
+
+  /// The gradient of what at() gives, in W; 0 beyond the samples.
+  Vec3 gradientAt(const Vec3& p_W) const HAPTICS_RT {
+    const Cell cell = cellAt(grid.indexOf(p_W));
+    if (cell.first == nullptr) return Vec3::Zero();
+    const auto& [x, y, z] = cell.part;
+    const std::int16_t* const f = cell.first;
+    const std::int64_t row = cell.row, slice = cell.slice;
+    const auto between = [](double near, double far, double part) {
+      return near + part * (far - near);
+    };
+    const auto stepAt = [&](std::int64_t at, std::int64_t by) {
+      return double(f[at + by] - f[at]);
+    };
+    const Vec3 steps(between(between(stepAt(0, 1), stepAt(row, 1), y),
+                             between(stepAt(slice, 1), stepAt(slice + row, 1), y), z),
+                     between(between(stepAt(0, row), stepAt(1, row), x),
+                             between(stepAt(slice, row), stepAt(slice + 1, row), x), z),
+                     between(between(stepAt(0, slice), stepAt(1, slice), x),
+                             between(stepAt(row, slice), stepAt(row + 1, slice), x), y));
+    return grid.direction * (step * steps.cwiseQuotient(grid.spacing));
+  }
+
+ private:
+  /// Eight samples, and where between them; `first` is null beyond the samples.
+  struct Cell {
+    const std::int16_t* first = nullptr;
+    std::int64_t row = 0, slice = 0;
+    std::array<double, 3> part{};
+
+    double along(const std::int16_t* of) const HAPTICS_RT {
+      return double(of[0]) + part[0] * double(of[1] - of[0]);
+    }
+    double across(const std::int16_t* of) const HAPTICS_RT {
+      const double near = along(of), far = along(of + row);
+      return near + part[1] * (far - near);
+    }
+  };
+  Cell cellAt(const Vec3& at) const HAPTICS_RT {
+    Cell cell{.row = grid.dims[0], .slice = grid.dims[0] * grid.dims[1]};
     std::array<std::int64_t, 3> low;
-    std::array<double, 3> part;
     for (int axis = 0; axis < 3; ++axis) {
       const auto of = std::size_t(axis);
       // not finite is beyond, too
-      if (!(at[axis] >= 0.0 && at[axis] <= double(grid.dims[of] - 1))) return most;
+      if (!(at[axis] >= 0.0 && at[axis] <= double(grid.dims[of] - 1))) return cell;
       low[of] = std::min(std::int64_t(at[axis]), grid.dims[of] - 2);
-      part[of] = at[axis] - double(low[of]);
+      cell.part[of] = at[axis] - double(low[of]);
     }
-    const std::int64_t row = grid.dims[0], slice = grid.dims[0] * grid.dims[1];
-    const std::int16_t* first = samples.get() + low[2] * slice + low[1] * row + low[0];
-    const auto along = [&](const std::int16_t* of) {
-      return double(of[0]) + part[0] * double(of[1] - of[0]);
-    };
-    const auto across = [&](const std::int16_t* of) {
-      const double near = along(of), far = along(of + row);
-      return near + part[1] * (far - near);
-    };
-    const double near = across(first), far = across(first + slice);
-    return step * (near + part[2] * (far - near));
+    cell.first = samples.get() + low[2] * cell.slice + low[1] * cell.row + low[0];
+    return cell;
   }
 };
 

@@ -392,6 +392,49 @@ def holds_the_trace(folder):
     return recording, truth
 
 
+def holds_distances(folder):
+    """Distances to structures, in the recording and its exports as in the trace; none of them where none is watched."""
+    cli("convert", "--phantom", "sphere", folder / "scan.nrrd")
+    origin = ",".join(map(str, cli("info", folder / "scan.nrrd")["origin_mm"]))
+    marked = bytes(9 if n // 4096 < 10 else 4 if n % 64 > 50 else 7 if n == 200_000 else 0 for n in range(64**3))
+    (folder / "labels.nrrd").write_bytes(
+        (f"NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 64 64 64\n"
+         f"space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: ({origin})\nencoding: raw\n\n").encode() + marked)
+    for rate, most in ((1000, 0.0), (2000, 0.51e-7)):
+        name = folder / f"watched{rate}"
+        cli("run", "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd", "--watch", "3,1", "--isovalue", 0,
+            "--tool", "probe", "--hand", "slide", "--seconds", 1, "--stiffness", 1000, "--rate", rate,
+            "--trace", f"{name}.csv", "--record", f"{name}.palpate")
+        with open(f"{name}.csv") as trace:
+            lines = list(csv.DictReader(trace))
+        columns = [f"{what}_to_{number}" for number in (1, 3) for what in ("tip", "nearest")]
+        truth = numpy.array([[line[column + "_m"] for column in columns] for line in lines], "float32")
+        check(len(truth) == rate and len({tuple(row) for row in truth}) > rate / 2, "the distances hardly change")
+
+        def holds(what, found):
+            check(found.shape == truth.shape and numpy.abs(found - truth).max() <= most, f"{what} at {rate} Hz: distances")
+
+        holds("rows.py", numpy.array([[row[c] for c in columns] for row in rows.distances(f"{name}.palpate")], "float32"))
+        for format, (ending, _) in {**FORMATS, "csv": (".table.csv", None)}.items():
+            export(f"{name}.palpate", format, f"{name}{ending}")
+        with h5py.File(f"{name}.h5") as file:
+            holds("hdf5", numpy.column_stack([file[f"structures/{number}/{what}"][:] for number in (1, 3)
+                                              for what in ("tip", "nearest")]))
+        messages = [m["structures"] for _, m in read_mcap.read(f"{name}.mcap")["topics"]["/structures"]]
+        check(all([one["number"] for one in m] == [1, 3] for m in messages), "mcap: numbers of structures")
+        holds("mcap", numpy.array([[one[what] for one in m for what in ("tip", "nearest")] for m in messages], "float32"))
+        with open(f"{name}.table.csv", encoding="utf-8", newline="") as file:
+            holds("csv", numpy.array([[row[c] for c in columns] for row in csv.DictReader(file)], "float32"))
+        names = [row[0] for row in table(f"{name}_channels.tsv")[1:]]
+        holds("bids", numpy.array([[row[names.index(c)] for c in columns] for row in table(f"{name}_motion.tsv")], "float32"))
+        # what was recorded is what a replay comes to
+        said = cli("replay", f"{name}.palpate", "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd")
+        check(said["differing"] == 0 and said["distances"] == 2 * rate and said["differing_distances"] == 0,
+              f"a replay with structures: {said}")
+    explained = json.loads((folder / "watched1000.table.columns.json").read_text())["columns"]["tip_to_3"]
+    check(explained["unit"] == "m" and "structure 3" in explained["meaning"], f"csv explains {explained}")
+
+
 def is_one_table(folder, recording, truth):
     """What a spreadsheet makes of it: a line of names, numbers, and the events as words."""
     out = folder / "whole.csv"
@@ -710,6 +753,7 @@ def main():
         missed = read_mcap.changes_missed(folder / "short.mcap", folder / "changed.mcap")
         check(missed == [], f"the reader of MCAP misses changed bytes at {missed}")
         is_one_table(folder, recording, truth)
+        holds_distances(folder)
         has_no_date(folder, recording)
         chooses(folder, recording, truth)
         refuses(folder, recording)

@@ -20,7 +20,7 @@ using haptics::Vec3;
 using SignedDistance = std::function<double(const Vec3& p_W)>;
 
 /// Oblique, uneven and left-handed.
-Grid obliqueGrid() {
+Grid unevenGrid() {
   Grid grid;
   grid.dims = {61, 57, 43};
   grid.spacing = 1e-3 * Vec3(0.43, 0.51, 0.83);
@@ -78,7 +78,7 @@ Errors errorsOf(const DistanceMap& map, const Grid& grid, const SignedDistance& 
 }
 
 TEST(Distances, AreThoseOfBallsCylindersAndPlanes) {
-  const Grid grid = obliqueGrid();
+  const Grid grid = unevenGrid();
   std::mt19937 random{5};
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> shift(-0.5, 0.5);
@@ -117,7 +117,7 @@ TEST(Distances, AreThoseOfBallsCylindersAndPlanes) {
 }
 
 TEST(Distances, AreThoseToTheNearestMidpointAtEachVoxel) {
-  Grid grid = obliqueGrid();
+  Grid grid = unevenGrid();
   grid.dims = {17, 13, 11};
   std::mt19937 random{8};
   std::vector<bool> in(std::size_t(grid.voxelCount()));
@@ -154,7 +154,7 @@ TEST(Distances, AreThoseToTheNearestMidpointAtEachVoxel) {
 }
 
 TEST(Distances, OfALargeStructureAreCoarserAndLoseNothingThin) {
-  const Grid grid = obliqueGrid();
+  const Grid grid = unevenGrid();
   const Vec3 centre = centreOf(grid), normal = grid.direction.col(1);
   const SignedDistance plate = [&](const Vec3& p) {
     return std::abs(normal.dot(p - centre)) - 0.26e-3;  // one voxel thick
@@ -171,7 +171,7 @@ TEST(Distances, OfALargeStructureAreCoarserAndLoseNothingThin) {
 }
 
 TEST(Distances, EndWhenTheyAreCancelled) {
-  const Grid grid = obliqueGrid();
+  const Grid grid = unevenGrid();
   const LabelMap labels =
       marked(grid, [&](const Vec3& p) { return (p - centreOf(grid)).norm() - 0.004; });
   int told = 0;
