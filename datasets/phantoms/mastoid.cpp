@@ -86,11 +86,11 @@ std::vector<Part> makeParts() {
   parts.push_back({{"Facial nerve", {0.96, 0.86, 0.20}, of(alongTheNerve(0.6))}, kNerve, 1.0});
   parts.push_back({{"Antrum", {0.66, 0.80, 0.93}, of(tube({{-1, 3, 9}}, 4))}, kAir, 0.6});
   parts.push_back(
-      {{"Tympanic cavity", {0.55, 0.72, 0.90}, of(tube({{-4.5, -10, -2}, {-4.5, -9, 6}}, 2.8))},
+      {{"Tympanic cavity", {0.55, 0.72, 0.90}, of(tube({{-4.2, -10.4, -2}, {-4.2, -9.8, 6}}, 2.7))},
        kAir,
        0.6});
   parts.push_back(
-      {{"Ear canal", {0.43, 0.64, 0.87}, of(tube({{19.5, -8.5, 2}, {1, -10.5, 3}}, 3.75))},
+      {{"Ear canal", {0.43, 0.64, 0.87}, of(tube({{19.5, -8.5, 2}, {2.8, -10.3, 3}}, 3.75))},
        kAir,
        1.0});
   return parts;
