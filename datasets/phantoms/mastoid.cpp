@@ -79,7 +79,7 @@ std::vector<Part> makeParts() {
   parts.push_back(
       {{"Lateral semicircular canal",
         {0.36, 0.75, 0.72},
-        placed(shapes::Torus{.ring = 0.0032, .tube = 0.0005}, {-10.5, -1.5, 8}, {0.0, -0.5, 0.87})},
+        placed(shapes::Torus{.ring = 0.0032, .tube = 0.0005}, {-10.5, -1.5, 8}, {0.0, 0.5, 0.87})},
        kFluid,
        2.5});
   parts.push_back({{"Facial canal", {0.93, 0.66, 0.32}, of(alongTheNerve(0.9))}, kSheath, 0.7});

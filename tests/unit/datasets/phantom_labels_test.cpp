@@ -42,7 +42,7 @@ haptics::Volume scanOver(const Grid& grid) {
 TEST(PhantomLabels, AreTheSignsOfTheDistances) {
   const Mat3 oblique = Eigen::AngleAxisd{0.6, Vec3{0.3, -0.8, 0.5}.normalized()}.matrix();
   for (const auto& [phantom, grid] :
-       {std::pair{"mastoid", turnedGrid(Mat3::Identity(), 100, 101, 102, Vec3::Constant(0.5))},
+       {std::pair{"mastoid", turnedGrid(Mat3::Identity(), 75, 76, 77, Vec3::Constant(0.62))},
         {"mastoid", turnedGrid(oblique, 61, 67, 59, {0.9, 0.7, 1.1})},
         {"demo", turnedGrid(oblique, 61, 67, 59, {3.1, 3.7, 4.1})}}) {
     const auto map = phantomLabels(phantom, grid);
