@@ -15,12 +15,13 @@
 #include "haptics/core/parallel.h"
 
 namespace datasets {
+namespace mastoid {
 namespace {
 
 using haptics::Vec3;
 
-constexpr double kMastoidSpacing = 0.0004;  // m
-constexpr double kBlur = 0.4;               // mm on either side of a surface
+constexpr double kSpacing = 0.0004;  // m
+constexpr double kBlur = 0.4;        // mm on either side of a surface
 
 // HU
 constexpr double kAir = -1000, kBrain = 36, kNerve = 40, kBlood = 45, kDura = 60, kSheath = 0,
@@ -132,7 +133,7 @@ double boneValue(const Vec3& p, double depth, double beyond_walls) {
 
 }  // namespace
 
-double mastoidValue(const Vec3& p_W) {
+double valueAt(const Vec3& p_W) {
   const Vec3 p = 1e3 * p_W;
   const double out = outside(p);
   if (out >= kBlur) return kAir;
@@ -152,14 +153,16 @@ double mastoidValue(const Vec3& p_W) {
   return mixed(kAir, value, share(out));
 }
 
-std::vector<PhantomStructure> mastoidStructures() {
-  std::vector<PhantomStructure> structures;
-  for (const Part& part : parts()) structures.push_back(part.structure);
-  return structures;
+std::vector<PhantomStructure> structures() {
+  std::vector<PhantomStructure> all;
+  for (const Part& part : parts()) all.push_back(part.structure);
+  return all;
 }
 
+}  // namespace mastoid
+
 haptics::Expected<Phantom> mastoidPhantom(const std::atomic<bool>* cancel) {
-  const haptics::Grid grid = centredGrid(120, 128, 120, kMastoidSpacing);
+  const haptics::Grid grid = centredGrid(120, 128, 120, mastoid::kSpacing);
   auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16);
   if (!voxels) return tl::unexpected(voxels.error());
   auto* first = static_cast<std::int16_t*>(voxels->get());
@@ -169,7 +172,7 @@ haptics::Expected<Phantom> mastoidPhantom(const std::atomic<bool>* cancel) {
     for (std::int64_t j = 0; j < grid.dims[1]; ++j)
       for (std::int64_t i = 0; i < grid.dims[0]; ++i)
         *next++ = static_cast<std::int16_t>(
-            std::lround(mastoidValue(grid.worldOf({double(i), double(j), double(k)}))));
+            std::lround(mastoid::valueAt(grid.worldOf({double(i), double(j), double(k)}))));
   });
   if (cancel != nullptr && *cancel)
     return tl::unexpected(haptics::Error{haptics::Error::Kind::Cancelled, {}, "cancelled"});

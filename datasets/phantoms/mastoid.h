@@ -12,9 +12,12 @@ namespace datasets {
 /// README.md has its structures and where their sizes are from.
 haptics::Expected<Phantom> mastoidPhantom(const std::atomic<bool>* cancel);
 
+namespace mastoid {
+
 /// HU at a place in W: what the phantom's voxels are sampled from.
-double mastoidValue(const haptics::Vec3& p_W);
+double valueAt(const haptics::Vec3& p_W);
 
-std::vector<PhantomStructure> mastoidStructures();
+std::vector<PhantomStructure> structures();
 
+}  // namespace mastoid
 }  // namespace datasets

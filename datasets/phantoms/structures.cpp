@@ -45,7 +45,7 @@ std::vector<PhantomStructure> skullStructures() {
 }  // namespace
 
 std::vector<PhantomStructure> phantomStructures(const std::string& phantom) {
-  if (phantom == "mastoid") return mastoidStructures();
+  if (phantom == "mastoid") return mastoid::structures();
   if (phantom == "demo") return skullStructures();
   return {};
 }

@@ -145,7 +145,7 @@ TEST_F(Mastoid, IsSampledFromItsFormula) {
   Random random{5};
   for (int trial = 0; trial < 5'000; ++trial) {
     const int i = random.below(120), j = random.below(128), k = random.below(120);
-    const double value = mastoidValue(volume.grid.worldOf(Vec3(i, j, k)));
+    const double value = mastoid::valueAt(volume.grid.worldOf(Vec3(i, j, k)));
     EXPECT_NEAR(voxels[(k * 128 + j) * 120 + i], value, 0.5);
   }
 }
@@ -167,7 +167,9 @@ TEST_F(Mastoid, LiesWithinItsGridInAir) {
 }
 
 TEST_F(Mastoid, ItsStructuresHoldWhatTheyAre) {
-  const auto at = [](double x, double y, double z) { return mastoidValue(1e-3 * Vec3{x, y, z}); };
+  const auto at = [](double x, double y, double z) {
+    return mastoid::valueAt(1e-3 * Vec3{x, y, z});
+  };
   EXPECT_EQ(at(-5.5, -4.5, -2.5), 40.0);   // nerve
   EXPECT_EQ(at(8.5, 14.75, 6.375), 45.0);  // sinus
   EXPECT_EQ(at(-1, 0, 15), 60.0);          // dura
@@ -189,11 +191,12 @@ TEST_F(Mastoid, ItsStructuresHoldWhatTheyAre) {
       if (std::abs(one.distance(p) - 0.5e-3) > 1e-6) continue;
       const auto near = [&](const PhantomStructure& other) { return other.distance(p) < 1e-3; };
       // beyond the bone, or where two of them meet
-      if (mastoidValue(p) < -990.0 || std::ranges::count_if(structures, near) >
-                                          1 + (&one == &structureOf(structures, "Facial canal")))
+      if (mastoid::valueAt(p) < -990.0 ||
+          std::ranges::count_if(structures, near) >
+              1 + (&one == &structureOf(structures, "Facial canal")))
         continue;
       ++places;
-      dense += mastoidValue(p) > 1200.0;
+      dense += mastoid::valueAt(p) > 1200.0;
     }
     EXPECT_GT(places, 200);
     EXPECT_GT(dense, 0.9 * places);
@@ -204,16 +207,16 @@ TEST_F(Mastoid, IsALeftEarFullOfAirCells) {
   // a probe slides in through the canal from the left, and not from the right
   for (double x = 23; x > 0; x -= 0.5) {
     const double t = (x - 2.8) / 16.7, y = -10.3 + 1.8 * t, z = 3.0 - t;
-    EXPECT_EQ(mastoidValue(1e-3 * Vec3{x, y, z}), -1000.0);
+    EXPECT_EQ(mastoid::valueAt(1e-3 * Vec3{x, y, z}), -1000.0);
   }
   int bone = 0, cells = 0;
-  for (double x = 22; x > 0; x -= 0.2) bone += mastoidValue(1e-3 * Vec3{-x, -8.5, 2}) > 300.0;
+  for (double x = 22; x > 0; x -= 0.2) bone += mastoid::valueAt(1e-3 * Vec3{-x, -8.5, 2}) > 300.0;
   EXPECT_GT(bone, 30);
   // within the process: air and walls in turn
   bone = 0;
   for (double z = -18; z < -6; z += 0.1)
     for (double y = 0; y < 10; y += 0.5) {
-      const double value = mastoidValue(1e-3 * Vec3{10, y, z});
+      const double value = mastoid::valueAt(1e-3 * Vec3{10, y, z});
       cells += value < -600.0;
       bone += value > 300.0;
     }
