@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "datasets/labels/label_file.h"
+#include "datasets/labels/phantom_labels.h"
 #include "datasets/readers/volume_reader.h"
 #include "resources/messages/messages.h"
 
@@ -108,8 +110,32 @@ ordered_json listed(const datasets::LabelMap& labels, bool names) {
   return all;
 }
 
+/// Adds the label maps that are named.
+Outcome withLabels(const InfoOptions& all, const haptics::Volume& volume, ordered_json json) {
+  for (const std::string& path : all.labels) {
+    const auto labels = datasets::readLabels(path, volume, {.cancel = &interruption()});
+    if (!labels) return refused(labels.error());
+    json["labels"].push_back({{"structures", listed(*labels, all.names)}});
+  }
+  return {Exit::Done, json, {}, {}};
+}
+
+Outcome infoOfPhantom(const InfoOptions& all) {
+  const auto volume = loadVolume(all.volume);
+  if (!volume) return refused(volume.error());
+  ordered_json json;
+  describe(**volume, nullptr, json);
+  const auto labels = datasets::phantomLabels(all.volume.phantom, (*volume)->grid, &interruption());
+  if (!labels) return refused(labels.error());
+  if (!labels->structures().empty()) json["structures"] = listed(*labels, true);
+  return withLabels(all, **volume, std::move(json));
+}
+
 Outcome info(const InfoOptions& all) {
   const VolumeChoice& options = all.volume;
+  if (options.path.empty() == options.phantom.empty())
+    return usage("info needs a volume: a path, or --phantom NAME.");
+  if (!options.phantom.empty()) return infoOfPhantom(all);
   if (std::filesystem::path(options.path).extension() == ".palpate")
     return refused(
         {haptics::Error::Kind::Unsupported, {"info-recording", {options.path}}, "unreadable"});
@@ -159,12 +185,7 @@ Outcome info(const InfoOptions& all) {
     return refused(volume.error(), json);
   }
   describe(*volume, only, json);
-  for (const std::string& path : all.labels) {
-    const auto labels = datasets::readLabels(path, *volume, progress);
-    if (!labels) return refused(labels.error());
-    json["labels"].push_back({{"structures", listed(*labels, all.names)}});
-  }
-  return {Exit::Done, json, {}, {}};
+  return withLabels(all, *volume, std::move(json));
 }
 
 }  // namespace
@@ -176,7 +197,8 @@ void addInfo(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("path", options->volume.path,
                    "Folder, archive, or file (DICOM, NRRD, MetaImage, NIfTI)")
-      ->required()
+      ->check(notEmpty());
+  command->add_option("--phantom", options->volume.phantom, "A named phantom instead of PATH")
       ->check(notEmpty());
   addReading(*command, options->volume);
   command

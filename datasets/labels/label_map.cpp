@@ -43,6 +43,15 @@ Expected<std::uint8_t> LabelMap::with(std::uint8_t code, std::uint8_t number) {
   return joined_[{code, number}] = std::uint8_t(found - sets_.begin());
 }
 
+Expected<void> LabelMap::mark(std::int64_t voxel, std::uint8_t number) {
+  std::uint8_t& code = codes_[voxel];
+  const auto joined = with(code, number);
+  if (!joined) return tl::unexpected(joined.error());
+  if (*joined != code) ++structures_[number].voxels;
+  code = *joined;
+  return {};
+}
+
 Expected<void> LabelMap::add(const haptics::Volume& labels,
                              const std::map<std::int64_t, std::uint8_t>& numbers) {
   const haptics::Grid& from = labels.grid;
@@ -53,13 +62,13 @@ Expected<void> LabelMap::add(const haptics::Volume& labels,
   const Vec3 size(double(from.dims[0]), double(from.dims[1]), double(from.dims[2]));
   return haptics::visitVoxels(
       labels.type, labels.voxels.get(), [&](const auto* voxels) -> Expected<void> {
-        std::uint8_t* code = codes_.get();
+        std::int64_t voxel = 0;
         std::optional<std::int64_t> last_label;
         const std::uint8_t* last_number = nullptr;
         for (std::int64_t k = 0; k < grid_.dims[2]; ++k)
           for (std::int64_t j = 0; j < grid_.dims[1]; ++j) {
             const Vec3 row = origin + turn * Vec3{0.0, double(j), double(k)};
-            for (std::int64_t i = 0; i < grid_.dims[0]; ++i, ++code) {
+            for (std::int64_t i = 0; i < grid_.dims[0]; ++i, ++voxel) {
               const Vec3 at = (row + turn.col(0) * double(i)).array().round();
               if ((at.array() < 0.0).any() || (at.array() >= size.array()).any()) continue;
               const auto label =
@@ -72,10 +81,7 @@ Expected<void> LabelMap::add(const haptics::Volume& labels,
                 last_number = known == numbers.end() ? nullptr : &known->second;
               }
               if (last_number == nullptr) continue;
-              const auto joined = with(*code, *last_number);
-              if (!joined) return tl::unexpected(joined.error());
-              if (*joined != *code) ++structures_[*last_number].voxels;
-              *code = *joined;
+              if (auto marked = mark(voxel, *last_number); !marked) return marked;
             }
           }
         return {};

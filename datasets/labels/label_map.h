@@ -50,6 +50,8 @@ class LabelMap {
   /// ("labels-too-many") more than 255 sets of structures that overlap.
   haptics::Expected<void> add(const haptics::Volume& labels,
                               const std::map<std::int64_t, std::uint8_t>& numbers);
+  /// Adds a voxel, counted as in codes(), to the structure with this number. Refuses likewise.
+  haptics::Expected<void> mark(std::int64_t voxel, std::uint8_t number);
   /// Adds a structure of which no voxel is known yet, and returns its number. There must be fewer
   /// than kMostStructures.
   std::uint8_t add(Structure structure);

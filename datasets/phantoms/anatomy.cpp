@@ -29,6 +29,8 @@ Primitive cone(Vec3f from, float r_from, Vec3f to, float r_to, float blend = 0,
           .blend = blend};
 }
 
+Primitive cone(const Rod& rod) { return cone(rod.from, rod.radius, rod.to, rod.radius); }
+
 Primitive arch(Vec3f centre, float half_x, float half_y, float back, float half_width,
                float half_height, float blend = 0) {
   return {.kind = Primitive::Kind::Arch,
@@ -178,17 +180,18 @@ Solid airSpaces() {
 }
 
 Solid softHollows() {
+  const Rods rods;
   Solid s;
   both(s, ellipsoid({33, -76, -3}, {19.5f, 30, 17.5f}, 0, 16));  // orbits, and their apex
   both(s, cone({29, -62, -3}, 13, {13, -38, 0}, 2.6f, 4));
-  s.push_back(cone({0, 30, -14}, 15, {0, 32, -60}, 14));       // foramen magnum
-  s.push_back(cone({0, 36, -50}, 8, {0, 42, -130}, 8));        // spinal canal
+  s.push_back(cone({0, 30, -14}, 15, {0, 32, -60}, 14));  // foramen magnum
+  s.push_back(cone(rods.spine));
   both(s, cone({27, -95, -28}, 1.7f, {28, -70, -26}, 1.5f));   // below the orbit
   both(s, cone({25, -92, 18}, 1.5f, {25, -74, 15}, 1.4f));     // above it
   both(s, ellipsoid({27, -82, -92}, {1.6f, 4, 1.6f}, 0, 30));  // chin
-  both(s, cone({20, 2, -10}, 3.0f, {20, 2, -50}, 3.0f));       // ovale, carotid canal
-  both(s, cone({29, 18, -10}, 4.0f, {29, 22, -50}, 4.0f));     // jugular
-  s.push_back(cone({48, 16, 100}, 5.5f, {34, 14, 60}, 5.5f));  // burr hole, on the left
+  both(s, cone(rods.left_carotid));                            // with the foramen ovale
+  both(s, cone(rods.left_jugular));
+  s.push_back(cone(rods.burr_hole));
   return s;
 }
 
@@ -252,7 +255,8 @@ Anatomy anatomy() {
   head.septa = septa();
   head.fat = softHollows();
   head.air = airSpaces();
-  both(head.eyes, ellipsoid({33, -77, -4}, {12, 12, 12}));
+  const Rod eye = Rods{}.left_eye;
+  both(head.eyes, ellipsoid(eye.from, Vec3f::Constant(eye.radius)));
   head.skin = skinSurface();
   head.skin_cuts = skinCuts();
   return head;

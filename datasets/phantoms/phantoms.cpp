@@ -4,6 +4,7 @@
 #include <span>
 
 #include "datasets/phantoms/analytic.h"
+#include "datasets/phantoms/mastoid.h"
 #include "datasets/phantoms/skull.h"
 
 namespace datasets {
@@ -15,10 +16,10 @@ struct Entry {
 };
 
 constexpr Entry kPhantoms[] = {
-    {"demo", skullPhantom},    {"sphere", spherePhantom}, {"halfspace", halfSpacePhantom},
-    {"torus", torusPhantom},   {"gyroid", gyroidPhantom}, {"wedge", wedgePhantom},
-    {"hole", holePhantom},     {"slot", slotPhantom},     {"cylinder", cylinderPhantom},
-    {"marker", markerPhantom},
+    {"demo", skullPhantom},          {"mastoid", mastoidPhantom}, {"sphere", spherePhantom},
+    {"halfspace", halfSpacePhantom}, {"torus", torusPhantom},     {"gyroid", gyroidPhantom},
+    {"wedge", wedgePhantom},         {"hole", holePhantom},       {"slot", slotPhantom},
+    {"cylinder", cylinderPhantom},   {"marker", markerPhantom},
 };
 
 /// Up to 190 MB, and seconds to make.

@@ -17,7 +17,7 @@ struct Phantom {
   std::string tool;  ///< the named tool that fits it
 };
 
-/// demo, sphere, halfspace, torus, gyroid, wedge, hole, …
+/// demo, mastoid, sphere, halfspace, torus, gyroid, wedge, hole, …
 std::vector<std::string> phantomNames();
 /// bunny, engine, bone: rebuilds of scenes of [Chan 2011], Table 1; its fourth is the phantom hole.
 /// makePhantom() knows them too.

@@ -21,8 +21,6 @@ constexpr std::int64_t kBrick = 8;       // voxels: the head is planned by brick
 constexpr float kMargin = 3.0f;          // mm: what is further off cannot show in a voxel
 constexpr float kNoise = 16.0f;          // HU, standard deviation
 constexpr float kPlate = 1.3f;           // mm, thickness of the orbits' walls towards the sinuses
-constexpr float kShift[3] = {0.0f, -9.0f,
-                             -6.0f};  // mm: the grid's middle in the head's coordinates
 
 // HU
 constexpr float kAir = -1000, kSkin = 70, kFat = -95, kMuscle = 50, kBrain = 36, kFluid = 8,
@@ -99,7 +97,8 @@ float tissue(const skull::Anatomy& head, const Vec3f& p) {
 void fill(const skull::Anatomy& whole, std::int64_t k0, std::int16_t* voxels) {
   const auto placed = [](std::int64_t i, std::int64_t j, std::int64_t k) {
     const auto along = [](std::int64_t n, int axis) {
-      return static_cast<float>(n) - 0.5f * static_cast<float>(kDims[axis] - 1) + kShift[axis];
+      return static_cast<float>(n) - 0.5f * static_cast<float>(kDims[axis] - 1) +
+             skull::kMiddle[axis];
     };
     return Vec3f{along(i, 0), along(j, 1), along(k, 2)};
   };

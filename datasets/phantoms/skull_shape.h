@@ -12,6 +12,9 @@ namespace datasets::skull {
 
 using Vec3f = Eigen::Vector3f;
 
+/// Where the grid's middle, W's origin, lies in the head's coordinates.
+inline const Vec3f kMiddle{0.0f, -9.0f, -6.0f};
+
 /// A solid with few parameters. Its box and blend bound the region that it can affect.
 struct Primitive {
   enum class Kind : std::uint8_t { Ellipsoid, Cone, Arch };
@@ -34,6 +37,20 @@ float distanceTo(const Solid& solid, const Vec3f& p);
 
 /// Primitives within `margin` of a box.
 Solid near(const Solid& solid, const Vec3f& middle, const Vec3f& half, float margin);
+
+/// What lies within a radius of the line between two places; a ball if they are one.
+struct Rod {
+  Vec3f from, to;
+  float radius;
+};
+/// The parts of the head that are rods. Those of the left side have a mirror image.
+struct Rods {
+  Rod left_eye{{33, -77, -4}, {33, -77, -4}, 12.0f};
+  Rod left_carotid{{20, 2, -10}, {20, 2, -50}, 3.0f};
+  Rod left_jugular{{29, 18, -10}, {29, 22, -50}, 4.0f};
+  Rod spine{{0, 36, -50}, {0, 42, -130}, 8.0f};
+  Rod burr_hole{{48, 16, 100}, {34, 14, 60}, 5.5f};  // on the left alone
+};
 
 /// The parts of the head. Bone is `bone` and `teeth` minus the hollows.
 struct Anatomy {

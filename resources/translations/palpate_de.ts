@@ -3088,6 +3088,10 @@
         <source>bone</source>
         <translation>Knochen</translation>
     </message>
+    <message>
+        <source>mastoid</source>
+        <translation>Mastoid</translation>
+    </message>
 </context>
 <context>
     <name>ui::Banner</name>

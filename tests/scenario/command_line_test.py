@@ -420,6 +420,69 @@ def lists_the_structures_of_label_maps():
     shutil.rmtree(place)
 
 
+def seg_nrrd(path):
+    """Of a .seg.nrrd: the keys, the size, the millimetres of an index, and the voxels of each layer."""
+    head, voxels = path.read_bytes().split(b"\n\n", 1)
+    lines = head.decode().splitlines()[1:]
+    fields = dict(line.split(": ", 1) for line in lines if ":=" not in line and not line.startswith("#"))
+    keys = dict(line.split(":=", 1) for line in lines if ":=" in line)
+    check((fields["space"], fields["encoding"], fields["type"]) == ("left-posterior-superior", "raw", "uint8"),
+          f"fields {fields}")
+    sizes = [int(word) for word in fields["sizes"].split()]
+    layers = sizes.pop(0) if len(sizes) == 4 else 1
+    vectors = [[float(part) for part in word[1:-1].split(",")] for word in fields["space directions"].split()
+               if word != "none"]
+    origin = [float(part) for part in fields["space origin"][1:-1].split(",")]
+    check(len(voxels) == layers * sizes[0] * sizes[1] * sizes[2], f"{len(voxels)} bytes of {layers} x {sizes}")
+
+    def place(*index):
+        return [origin[a] + sum(n * vector[a] for n, vector in zip(index, vectors)) for a in range(3)]
+    return keys, sizes, place, [voxels[layer::layers] for layer in range(layers)]
+
+
+def writes_the_structures_of_phantoms():
+    place = folder / "structures"
+    place.mkdir()
+    scan, labels = place / "m.nrrd", place / "m.seg.nrrd"
+    call("convert", "--phantom", "mastoid", scan, "--labels-out", labels)
+    said = json.loads(call("info", "--phantom", "mastoid", "--json").stdout)
+    named = json.loads(call("info", scan, "--labels", labels, "--names", "--json").stdout)
+    check(named["labels"][0]["structures"] == said["structures"], f"{named['labels']} for {said['structures']}")
+    both = json.loads(call("info", "--phantom", "mastoid", "--labels", labels, "--names", "--json").stdout)
+    check(both["structures"] == both["labels"][0]["structures"] == said["structures"], "a phantom with its labels")
+    keys, size, where, layers = seg_nrrd(labels)
+    check(size == said["dims"] and len(layers) == 2, f"{size} in {len(layers)} layers")  # the nerve lies in its canal
+    of = {}
+    for n, structure in enumerate(said["structures"]):
+        key = f"Segment{n}_"
+        check(keys[key + "Name"] == structure["name"] and keys[key + "Extent"] == "0 119 0 127 0 119", f"{key} {keys}")
+        check([float(part) for part in keys[key + "Color"].split()] == structure["colour"], f"{key} {keys}")
+        layer, label = layers[int(keys[key + "Layer"])], int(keys[key + "LabelValue"])
+        check(layer.count(label) == structure["voxels"] > 0, f"{structure} has {layer.count(label)} voxels")
+        of[structure["name"]] = lambda i, j, k, layer=layer, label=label: \
+            layer[(k * size[1] + j) * size[0] + i] == label
+    # by formulas of this test's own: the antrum is a ball, the canal is open to the left, the plate is above
+    seen = 0
+    for k in range(size[2]):
+        for j in range(0, size[1], 3):
+            for i in range(0, size[0], 2):
+                x, y, z = where(i, j, k)
+                ball = ((x + 1) ** 2 + (y - 3) ** 2 + (z - 9) ** 2) ** 0.5 - 4
+                seen += ball <= 0
+                check(of["Antrum"](i, j, k) == (ball <= 0) or abs(ball) < 1e-6, f"antrum at {x, y, z}")
+                check(not of["Ear canal"](i, j, k) or (x > -3 and y < -4), f"canal at {x, y, z}")
+                check(not of["Dura plate"](i, j, k) or z > 12, f"plate at {x, y, z}")
+                check(not of["Facial nerve"](i, j, k) or of["Facial canal"](i, j, k), f"nerve at {x, y, z}")
+    check(seen > 500, f"{seen} voxels of the antrum")
+    for words in (("convert", *SPHERE, scan, "--labels-out", labels), ("convert", scan, place / "o.nrrd", "--labels-out", labels),
+                  ("convert", "--phantom", "demo", scan, "--labels-out", place / "l.nrrd"),
+                  ("convert", "--phantom", "demo", labels, "--labels-out", labels),
+                  ("info", scan, "--phantom", "demo"), ("info", "--phantom", "none")):
+        call(*words, code=2)
+    check("structures" not in json.loads(call("info", *SPHERE, "--json").stdout), "a sphere with structures")
+    shutil.rmtree(place)
+
+
 def lists_series_a_line_each():
     series = pathlib.Path(__file__).resolve().parents[1] / "cases" / "hostile" / "dicom_intercept_twice"
     said = call("info", series, code=3).stdout.decode().splitlines()
@@ -506,7 +569,8 @@ def speaks_one_language():
 
 for test in (is_interrupted, answers_or_fails, is_whole_or_not_there, loses_no_input,
              steers_no_terminal, reads_numbers_whole, starts_the_studies, reads_the_part_that_is_named,
-             lists_series_a_line_each, lists_the_structures_of_label_maps, keeps_one_key, speaks_one_language):
+             lists_series_a_line_each, lists_the_structures_of_label_maps,
+             writes_the_structures_of_phantoms, keeps_one_key, speaks_one_language):
     begun = time.monotonic()
     test()
     print(f"{test.__name__}: {time.monotonic() - begun:.1f} s", flush=True)

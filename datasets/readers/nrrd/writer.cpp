@@ -48,24 +48,27 @@ std::string vectorOf(const Vec3& v) {
   return "(" + millimetres(v.x()) + "," + millimetres(v.y()) + "," + millimetres(v.z()) + ")";
 }
 
+/// Where the voxels of a space lie, from a line that names it.
+std::string placeIn(std::string space, const haptics::Grid& grid, bool layered) {
+  space += layered ? "\nspace directions: none" : "\nspace directions:";
+  for (int a = 0; a < 3; ++a) space += " " + vectorOf(grid.direction.col(a) * grid.spacing[a]);
+  return space + "\nspace units: \"mm\" \"mm\" \"mm\"\nspace origin: " + vectorOf(grid.origin);
+}
+
 std::string nrrdHeaderOf(const haptics::Volume& volume) {
   const haptics::Grid& grid = volume.grid;
   std::string text = "NRRD0005\n# Palpate\ntype: ";
   text += std::string(nrrdTypeOf(volume.type)) + "\ndimension: 3\nsizes:";
   for (const std::int64_t n : grid.dims) text += " " + std::to_string(n);
   if (volume.orientation_known) {
-    text += "\nspace: left-posterior-superior\nspace directions:";
-    for (int a = 0; a < 3; ++a) text += " " + vectorOf(grid.direction.col(a) * grid.spacing[a]);
-    text += "\nspace units: \"mm\" \"mm\" \"mm\"\nspace origin: " + vectorOf(grid.origin);
+    text += "\n" + nrrdSpaceOf(grid);
   } else if (grid.direction.isIdentity(0.0) && grid.origin.isZero(0.0)) {
     text += "\nspacings:";
     for (int a = 0; a < 3; ++a) text += " " + millimetres(grid.spacing[a]);
     text += "\nunits: \"mm\" \"mm\" \"mm\"";
   } else {
     // a place, but in a space whose left and right nobody knows
-    text += "\nspace dimension: 3\nspace directions:";
-    for (int a = 0; a < 3; ++a) text += " " + vectorOf(grid.direction.col(a) * grid.spacing[a]);
-    text += "\nspace units: \"mm\" \"mm\" \"mm\"\nspace origin: " + vectorOf(grid.origin);
+    text += "\n" + placeIn("space dimension: 3", grid, false);
   }
   text += "\nkinds: domain domain domain\nendian: little\nencoding: raw\n";
   if (!volume.unit.empty()) text += "unit:=" + volume.unit + "\n";
@@ -76,6 +79,10 @@ std::string nrrdHeaderOf(const haptics::Volume& volume) {
 }
 
 }  // namespace
+
+std::string nrrdSpaceOf(const haptics::Grid& grid, bool layered) {
+  return placeIn("space: left-posterior-superior", grid, layered);
+}
 
 haptics::Expected<void> writeNrrd(const haptics::Volume& volume, const fs::path& out,
                                   const ReadProgress& progress) {
