@@ -89,6 +89,7 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
 struct InfoOptions {
   VolumeChoice volume;
   std::vector<std::string> labels;
+  datasets::LabelReading reading;
   bool names = false;
 };
 
@@ -160,7 +161,7 @@ Outcome info(const InfoOptions& all) {
   }
   describe(*volume, only, json);
   for (const std::string& path : all.labels) {
-    const auto labels = datasets::readLabels(path, *volume, progress);
+    const auto labels = datasets::readLabels(path, *volume, progress, all.reading);
     if (!labels) return refused(labels.error());
     json["labels"].push_back({{"structures", listed(*labels, all.names)}});
   }
@@ -184,6 +185,11 @@ void addInfo(CLI::App& program, Chosen& chosen) {
                    "A label map of the scan (.seg.nrrd, NRRD, MetaImage, NIfTI); repeat it for "
                    "more than one")
       ->allow_extra_args(false)
+      ->check(notEmpty());
+  command
+      ->add_option("--table", options->reading.table,
+                   "What names the numbers of the label maps (3D Slicer's .ctbl, ITK-SNAP, "
+                   "FreeSurfer)")
       ->check(notEmpty());
   command->add_flag("--names", options->names,
                     "Print the names of structures too; they can say who the patient is");

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/labels/label_table.h"
 #include "datasets/labels/segments.h"
 #include "datasets/readers/files/header_words.h"
 #include "datasets/readers/files/refusal.h"
@@ -75,7 +76,7 @@ bool isSame(const haptics::Grid& one, const haptics::Grid& other) {
 }  // namespace
 
 Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
-                              const ReadProgress& progress) {
+                              const ReadProgress& progress, const LabelReading& reading) {
   // a series of slices or a folder is a scan, or several; a mesh is none
   if (fs::exists(path) && !isVolumeFile(path))
     return unsupported("not-labels", {"labels-unknown-format", {quoted(path)}});
@@ -83,6 +84,12 @@ Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
   if (!survey) return tl::unexpected(survey.error());
   const auto segments = segmentsOf(path);
   if (!segments) return tl::unexpected(segments.error());
+  std::map<std::int64_t, NamedLabel> table;
+  if (!reading.table.empty()) {
+    auto read = readLabelTable(reading.table);
+    if (!read) return tl::unexpected(read.error());
+    table = std::move(*read);
+  }
   auto map = LabelMap::over(scan.grid);
   if (!map) return tl::unexpected(map.error());
   // the segments of each layer, by label
@@ -98,9 +105,9 @@ Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
   const auto layers = double(survey->series.size());
   bool any = false;
   for (std::size_t layer = 0; layer < survey->series.size(); ++layer) {
-    const auto labels = readVolume(survey->series[layer], {},
-                                   progress.part(0.02 + 0.98 * double(layer) / layers,
-                                                 0.02 + 0.98 * double(layer + 1) / layers));
+    const ReadProgress of_layer = progress.part(0.02 + 0.98 * double(layer) / layers,
+                                                0.02 + 0.98 * double(layer + 1) / layers);
+    const auto labels = readVolume(survey->series[layer], {}, of_layer.part(0.0, 0.7));
     if (!labels) return tl::unexpected(labels.error());
     if (!(labels->orientation_known && scan.orientation_known) && !isSame(labels->grid, scan.grid))
       return unsupported("orientation-unknown", {"labels-orientation", {quoted(path)}});
@@ -108,14 +115,20 @@ Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
     if (!there) return tl::unexpected(there.error());
     any = any || !there->empty();
     auto numbers = named[std::int64_t(layer)];
-    // a number that no segment has is a structure without a name
+    // a number that no segment has is a structure with the name of the table, or without one
     for (const std::int64_t label : *there) {
       if (numbers.contains(label)) continue;
       if (map->structures().size() == kMostStructures)
         return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
-      numbers[label] = map->add({.colour = colourOf(map->structures().size())});
+      Structure structure{.colour = colourOf(map->structures().size())};
+      if (const auto known = table.find(label); known != table.end()) {
+        structure.name = known->second.name;
+        structure.colour = known->second.colour;
+      }
+      numbers[label] = map->add(std::move(structure));
     }
-    if (auto added = map->add(*labels, numbers); !added) return tl::unexpected(added.error());
+    if (auto added = map->add(*labels, numbers, of_layer.part(0.7, 1.0)); !added)
+      return tl::unexpected(added.error());
   }
   if (!any) return unsupported("labels-none", {"labels-none", {quoted(path)}});
   if (std::ranges::all_of(map->structures(), [](const Structure& s) { return s.voxels == 0; }))

@@ -9,6 +9,13 @@
 
 namespace datasets {
 
+/// What a file does not say itself.
+struct LabelReading {
+  /// Of the numbers of a label map: see readLabelTable(). It names what the file itself does not;
+  /// empty: there is none.
+  std::filesystem::path table = {};
+};
+
 /// Reads a label map beside a scan: 3D Slicer's .seg.nrrd with names, colours and layers, or any
 /// NRRD, MetaImage or NIfTI file of whole numbers. Each number but 0 is a structure, without a name
 /// where no segment has it; each volume of a file is a layer. The
@@ -20,6 +27,7 @@ namespace datasets {
 /// that lie beside the scan ("labels-elsewhere"). Any thread; it reads one layer at a time.
 haptics::Expected<LabelMap> readLabels(const std::filesystem::path& path,
                                        const haptics::Volume& scan,
-                                       const ReadProgress& progress = {});
+                                       const ReadProgress& progress = {},
+                                       const LabelReading& reading = {});
 
 }  // namespace datasets

@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 
@@ -48,10 +49,15 @@ class LabelMap {
   /// `numbers`: which of `structures()` each label is; other labels are nothing. Refuses
   /// ("labels-too-many") more than 255 sets of structures that overlap.
   haptics::Expected<void> add(const haptics::Volume& labels,
-                              const std::map<std::int64_t, std::uint8_t>& numbers);
+                              const std::map<std::int64_t, std::uint8_t>& numbers,
+                              const ReadProgress& progress = {});
   /// Adds a structure of which no voxel is known yet, and returns its number. There must be fewer
   /// than kMostStructures.
   std::uint8_t add(Structure structure);
+  /// Makes a voxel, by its place in codes(), one of a structure's. Refuses as above.
+  haptics::Expected<void> mark(std::int64_t voxel, std::uint8_t number);
+  /// The voxels among which those at these places lie, and at most one more on each side.
+  haptics::VoxelBox boxAround(std::span<const haptics::Vec3> places_W) const;
 
  private:
   LabelMap() = default;
@@ -60,7 +66,8 @@ class LabelMap {
   haptics::Grid grid_;
   std::shared_ptr<std::uint8_t[]> codes_;
   std::vector<std::vector<std::uint8_t>> sets_{{}};
-  std::map<std::pair<std::uint8_t, std::uint8_t>, std::uint8_t> joined_;  ///< code and number
+  /// The code of a set with one structure more, by code and number; below 0: not known yet.
+  std::vector<std::int16_t> joined_ = std::vector<std::int16_t>(256 * 256, -1);
   std::vector<Structure> structures_;
 };
 

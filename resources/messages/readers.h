@@ -454,6 +454,16 @@ inline constexpr Row kReaders[] = {
      "both "
      "with their orientation.",
      "orientation-unknown"},
+    {"labels-table-line",
+     "Line %2 of %1 has no number, name and colour as a table of 3D Slicer (.ctbl), ITK-SNAP or "
+     "FreeSurfer has them; choose the table of the label map.",
+     "bad-header"},
+    {"labels-table-twice", "Line %2 of %1 names a number that stands above it already; remove one.",
+     "bad-header"},
+    {"labels-table-empty", "%1 names no number; choose the table of the label map.", "bad-header"},
+    {"labels-table-too-large",
+     "%1 is larger than 1 MiB, so it is no table of names; choose the table of the label map.",
+     "too-large"},
     {"labels-no-memory", "There is no memory for the structures; close other programs.",
      "too-large"},
     // any volume, file or folder

@@ -1731,6 +1731,22 @@
         <source>%1 has values that are not whole numbers of at most seven digits, so it is no label map; export the segmentation as a label map.</source>
         <translation>%1 hat Werte, die keine ganzen Zahlen mit höchstens sieben Stellen sind, und ist deshalb keine Label-Karte; exportieren Sie die Segmentierung als Label-Karte.</translation>
     </message>
+    <message>
+        <source>Line %2 of %1 has no number, name and colour as a table of 3D Slicer (.ctbl), ITK-SNAP or FreeSurfer has them; choose the table of the label map.</source>
+        <translation>Zeile %2 von %1 hat nicht Nummer, Namen und Farbe, wie eine Tabelle von 3D Slicer (.ctbl), ITK-SNAP oder FreeSurfer sie hat; wählen Sie die Tabelle der Label-Karte.</translation>
+    </message>
+    <message>
+        <source>Line %2 of %1 names a number that stands above it already; remove one.</source>
+        <translation>Zeile %2 von %1 benennt eine Nummer, die schon darüber steht; entfernen Sie eine von beiden.</translation>
+    </message>
+    <message>
+        <source>%1 names no number; choose the table of the label map.</source>
+        <translation>%1 benennt keine Nummer; wählen Sie die Tabelle der Label-Karte.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 1 MiB, so it is no table of names; choose the table of the label map.</source>
+        <translation>%1 ist größer als 1 MiB und damit keine Tabelle von Namen; wählen Sie die Tabelle der Label-Karte.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <string>
@@ -265,6 +266,92 @@ TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
       reasonFor(segOf("Segment0_ID:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=1\n", {marked({1})}),
                 scan),
       "bad-header");
+}
+
+TEST(Labels, ATableNamesNumbers) {
+  Workshop workshop;
+  auto voxels = marked({0, 1}, 17);
+  voxels[9] = 3;
+  voxels[10] = 5;
+  const auto labels = workshop.write("plain.nrrd", segOf("", {voxels}));
+  // each from its own program's manual, with a name that has a blank where it may have one
+  const std::map<std::string, std::string> tables{
+      {"a.ctbl",
+       "# Color table file C:\\x.ctbl\n# 3 values\n0 Background 0 0 0 0\n3 facial nerve 255 51 0 "
+       "255\n"
+       "17 sinus 0 102 255 255\n"},
+      {"b.label",
+       "################\n# ITK-SnAP Label Description File\n# IDX   -R-  -G-  -B-  -A--  VIS MSH "
+       " LABEL\n    0     0    0    0        0  0  0    \"Clear Label\"\n    3   255   51    0     "
+       " "
+       "  1  1  1    \"facial nerve\"\n   17     0  102  255     0.5  0  1    \"sinus\"\n"},
+      {"LUT.txt",
+       "\xEF\xBB\xBF#No. Label Name:   R   G   B   A\r\n\r\n0   Unknown    0   0   0   0\r\n3   "
+       "facial "
+       "nerve   255 51  0 0\r\n17  sinus   0 102 255  0\r\n"}};
+  for (const auto& [name, text] : tables) {
+    const auto map =
+        readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.write(name, text)});
+    ASSERT_TRUE(map) << sentence(map.error());
+    ASSERT_EQ(map->structures().size(), 3U);
+    EXPECT_EQ(map->structures()[0].name, "facial nerve") << name;
+    EXPECT_EQ(map->structures()[0].colour, (std::array{1.0, 0.2, 0.0})) << name;
+    EXPECT_EQ(map->structures()[1].name, "") << name;  // 5
+    EXPECT_EQ(map->structures()[2].name, "sinus") << name;
+    EXPECT_EQ(map->structures()[2].colour, (std::array{0.0, 0.4, 1.0})) << name;
+    EXPECT_EQ(map->structures()[2].voxels, 2) << name;
+  }
+  // what the file names itself keeps its name
+  const auto named = workshop.write(
+      "named.seg.nrrd", segOf("Segment0_Name:=canal\nSegment0_LabelValue:=3\n", {voxels}));
+  const auto map = readLabels(named, scanOn(smallGrid()), {},
+                              {.table = workshop.write("c.ctbl", tables.at("a.ctbl"))});
+  ASSERT_TRUE(map) << sentence(map.error());
+  EXPECT_EQ(map->structures()[0].name, "canal");
+  EXPECT_EQ(map->structures()[2].name, "sinus");
+}
+
+TEST(Labels, ATableThatIsNoneIsRefusedByItsLine) {
+  Workshop workshop;
+  const auto labels = workshop.write("plain.nrrd", segOf("", {marked({1})}));
+  const auto said = [&](const std::string& text) {
+    const auto map =
+        readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.write("t.ctbl", text)});
+    return map ? "" : map.error().reason + ": " + sentence(map.error());
+  };
+  for (const char* line :
+       {"x", "1 nerve", "1 nerve 255 0 0", "1.5 nerve 255 0 0 255", "-1 nerve 255 0 0 255",
+        "1 nerve 256 0 0 255", "1 nerve 255 -1 0 255", "1 nerve 255 0 nan 255",
+        "nerve 1 255 0 0 255", "1 255 0 0 255 1 \"nerve\"", "1 \"nerve 255 0 0 255",
+        "0x1 nerve 255 0 0 255", "1 nerve 255,0,0,255", "\x1B\x01\x02"}) {
+    const std::string sentence = said("# a\n0 none 0 0 0 0\n" + std::string(line) + "\n");
+    EXPECT_TRUE(sentence.starts_with("bad-header") && sentence.find("Line 3 of") != sentence.npos)
+        << line << " -> " << sentence;
+  }
+  EXPECT_TRUE(
+      said("1 a 0 0 0 0\n2 b 0 0 0 0\n1 c 0 0 0 0").find("Line 3 of \"t.ctbl\" names a number") !=
+      std::string::npos);
+  EXPECT_TRUE(said("# nothing\n").starts_with("bad-header"));
+  EXPECT_TRUE(said(std::string(1'100'000, '#')).starts_with("too-large"));
+  EXPECT_EQ(reasonOf(readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.folder()})),
+            "unreadable");
+}
+
+TEST(Labels, AreCancelledWhileTheyArePut) {
+  Workshop workshop;
+  const auto path = workshop.write("plain.nrrd", segOf("", {marked({1})}));
+  std::atomic<bool> cancel = false;
+  double last = 0.0;
+  const auto map = readLabels(path, scanOn(smallGrid()),
+                              {[&](double f) {
+                                 EXPECT_GE(f, last);
+                                 last = f;
+                                 cancel = f > 0.75;
+                               },
+                               &cancel});
+  ASSERT_FALSE(map);
+  EXPECT_EQ(map.error().kind, haptics::Error::Kind::Cancelled);
+  EXPECT_LT(last, 0.9);
 }
 
 TEST(Labels, ANameIsPlainBoundedText) {
