@@ -160,8 +160,10 @@ Outcome info(const InfoOptions& all) {
     return refused(volume.error(), json);
   }
   describe(*volume, only, json);
+  datasets::LabelReading reading = all.reading;
+  reading.of = datasets::identityOf(*only);
   for (const std::string& path : all.labels) {
-    const auto labels = datasets::readLabels(path, *volume, progress, all.reading);
+    const auto labels = datasets::readLabels(path, *volume, progress, reading);
     if (!labels) return refused(labels.error());
     json["labels"].push_back({{"structures", listed(*labels, all.names)}});
   }
@@ -182,8 +184,8 @@ void addInfo(CLI::App& program, Chosen& chosen) {
   addReading(*command, options->volume);
   command
       ->add_option("--labels", options->labels,
-                   "A label map of the scan (.seg.nrrd, NRRD, MetaImage, NIfTI); repeat it for "
-                   "more than one")
+                   "Structures of the scan: a label map (.seg.nrrd, NRRD, MetaImage, NIfTI) or a "
+                   "DICOM segmentation; repeat it for more than one")
       ->allow_extra_args(false)
       ->check(notEmpty());
   command
@@ -191,6 +193,9 @@ void addInfo(CLI::App& program, Chosen& chosen) {
                    "What names the numbers of the label maps (3D Slicer's .ctbl, ITK-SNAP, "
                    "FreeSurfer)")
       ->check(notEmpty());
+  command->add_flag("--belongs", options->reading.agreed,
+                    "Open structures although they are of another frame of reference or patient "
+                    "than the scan");
   command->add_flag("--names", options->names,
                     "Print the names of structures too; they can say who the patient is");
   command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });

@@ -15,6 +15,16 @@ using haptics::Expected;
 using haptics::Mat3;
 using haptics::Vec3;
 
+std::array<double, 3> colourFarFromOthers(std::size_t number) {
+  constexpr double kGolden = 0.618033988749895, kPale = 0.35, kBright = 0.95;
+  const double hue = 6.0 * std::fmod(0.02 + kGolden * double(number), 1.0);
+  const auto channel = [&](double of) {
+    const double away = std::abs(std::remainder(hue - of, 6.0));
+    return kBright * (kPale + (1.0 - kPale) * std::clamp(2.0 - away, 0.0, 1.0));
+  };
+  return {channel(0.0), channel(2.0), channel(4.0)};
+}
+
 Expected<LabelMap> LabelMap::over(const haptics::Grid& scan) {
   if (auto room = checkRoom(scan.voxelCount(), 1); !room) return tl::unexpected(room.error());
   LabelMap map;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "datasets/readers/scan.h"
@@ -29,6 +30,10 @@ struct Structure {
   std::int64_t voxels = 0;                      ///< of the scan that belong to it
 };
 
+/// A colour for a structure that has none, far from those of its neighbours in the list: the hue
+/// goes on by the golden angle.
+std::array<double, 3> colourFarFromOthers(std::size_t number);
+
 /// Which structures each voxel of a scan belongs to: one byte a voxel, also where structures
 /// overlap. The byte is a code, and each code stands for a set of structures; 0 stands for none.
 class LabelMap {
@@ -43,6 +48,8 @@ class LabelMap {
   /// Which structures a code stands for, by their numbers, in ascending order.
   const std::vector<std::uint8_t>& structuresOf(std::uint8_t code) const { return sets_[code]; }
   const std::vector<Structure>& structures() const { return structures_; }
+  /// Sentences about parts of the file that are not in the map.
+  const std::vector<haptics::Message>& notes() const { return notes_; }
 
   /// Adds the structures of a volume of labels, which may lie on another grid: each voxel of the
   /// scan gets what the volume has at the nearest of its voxels, and nothing beyond them.
@@ -56,6 +63,7 @@ class LabelMap {
   std::uint8_t add(Structure structure);
   /// Makes a voxel, by its place in codes(), one of a structure's. Refuses as above.
   haptics::Expected<void> mark(std::int64_t voxel, std::uint8_t number);
+  void note(haptics::Message sentence) { notes_.push_back(std::move(sentence)); }
   /// The voxels among which those at these places lie, and at most one more on each side.
   haptics::VoxelBox boxAround(std::span<const haptics::Vec3> places_W) const;
 
@@ -69,6 +77,7 @@ class LabelMap {
   /// The code of a set with one structure more, by code and number; below 0: not known yet.
   std::vector<std::int16_t> joined_ = std::vector<std::int16_t>(256 * 256, -1);
   std::vector<Structure> structures_;
+  std::vector<haptics::Message> notes_;
 };
 
 }  // namespace datasets

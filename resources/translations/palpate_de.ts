@@ -1724,10 +1724,6 @@
         <translation>Für die Strukturen ist kein Speicher da; schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage or NIfTI.</source>
-        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage oder NIfTI.</translation>
-    </message>
-    <message>
         <source>%1 has values that are not whole numbers of at most seven digits, so it is no label map; export the segmentation as a label map.</source>
         <translation>%1 hat Werte, die keine ganzen Zahlen mit höchstens sieben Stellen sind, und ist deshalb keine Label-Karte; exportieren Sie die Segmentierung als Label-Karte.</translation>
     </message>
@@ -1746,6 +1742,34 @@
     <message>
         <source>%1 is larger than 1 MiB, so it is no table of names; choose the table of the label map.</source>
         <translation>%1 ist größer als 1 MiB und damit keine Tabelle von Namen; wählen Sie die Tabelle der Label-Karte.</translation>
+    </message>
+    <message>
+        <source>%1 holds structures, not a scan; open the scan first, then the structures beside it.</source>
+        <translation>%1 enthält Strukturen, keine Aufnahme; öffnen Sie zuerst die Aufnahme, dann die Strukturen dazu.</translation>
+    </message>
+    <message>
+        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI or a DICOM segmentation.</source>
+        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage, NIfTI oder eine DICOM-Segmentierung.</translation>
+    </message>
+    <message>
+        <source>By their identifiers %1 and the scan are of two patients; open it only if you know that it belongs to this scan.</source>
+        <translation>Nach ihren Kennungen sind %1 und die Aufnahme von zwei Patienten; öffnen Sie die Datei nur, wenn Sie wissen, dass sie zu dieser Aufnahme gehört.</translation>
+    </message>
+    <message>
+        <source>%1 counts places from another origin than the scan (frame of reference), so its structures may lie elsewhere; open it only if you know that it belongs to this scan.</source>
+        <translation>%1 zählt Orte von einem anderen Ursprung als die Aufnahme (Frame of Reference), ihre Strukturen können also woanders liegen; öffnen Sie die Datei nur, wenn Sie wissen, dass sie zu dieser Aufnahme gehört.</translation>
+    </message>
+    <message>
+        <source>The frames of %1 are turned against each other, so its segments cannot be placed; export the segmentation again.</source>
+        <translation>Die Einzelbilder von %1 sind gegeneinander gedreht, deshalb haben ihre Segmente keinen Ort; exportieren Sie die Segmentierung neu.</translation>
+    </message>
+    <message>
+        <source>The frames of %1 do not lie on even planes, so its segments cannot be placed; export the segmentation as .seg.nrrd.</source>
+        <translation>Die Einzelbilder von %1 liegen nicht auf gleichmäßigen Ebenen, deshalb haben ihre Segmente keinen Ort; exportieren Sie die Segmentierung als .seg.nrrd.</translation>
+    </message>
+    <message>
+        <source>%1 has two frames of one segment at one place; export the segments of one moment alone.</source>
+        <translation>%1 hat zwei Einzelbilder eines Segments an einem Ort; exportieren Sie die Segmente nur eines Zeitpunkts.</translation>
     </message>
 </context>
 <context>

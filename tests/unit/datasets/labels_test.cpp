@@ -3,9 +3,7 @@
 // is refused.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <atomic>
-#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "datasets/labels/segments.h"
 #include "tests/support/sentence.h"
 #include "tests/support/turned_scan.h"
+#include "tests/unit/datasets/label_scans.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -22,61 +21,12 @@ namespace {
 using haptics::Grid;
 using haptics::Mat3;
 using haptics::Vec3;
-using testing::Workshop;
-
-/// Which of the eight octants about a place of the patient, 1 to 8; 0 outside a ball.
-std::int16_t octantAt(const Vec3& p_mm) {
-  const Vec3 by = p_mm - turned::placeOf_mm({4.3, 6.4, 8.7});
-  if (by.norm() > 16.0) return 0;
-  return std::int16_t(1 + (by.x() > 0.0) + 2 * (by.y() > 0.0) + 4 * (by.z() > 0.0));
-}
-
-haptics::Volume scanOn(const Grid& grid, bool orientation_known = true) {
-  auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16).value();
-  static_cast<std::int16_t*>(voxels.get())[0] = 1;
-  return haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(voxels),
-                             {.orientation_known = orientation_known})
-      .value();
-}
-
-/// Oblique, uneven, and larger than the box of turned_scan.h on some sides only.
-Grid obliqueGrid() {
-  Grid grid;
-  grid.dims = {31, 29, 27};
-  grid.spacing = 1e-3 * Vec3(0.83, 1.21, 1.37);
-  grid.direction = Eigen::AngleAxisd{0.6, Vec3{0.3, -0.8, 0.5}.normalized()}.toRotationMatrix();
-  grid.origin = 1e-3 * turned::placeOf_mm({-0.7, 1.2, 2.3});
-  return grid;
-}
-
-/// The number of each voxel's structure counted from 1, of a map without overlaps; 0: none.
-std::vector<int> numbersIn(const LabelMap& map) {
-  std::vector<int> numbers;
-  for (std::int64_t n = 0; n < map.grid().voxelCount(); ++n) {
-    const auto& set = map.structuresOf(map.codes()[n]);
-    EXPECT_LE(set.size(), 1U);
-    numbers.push_back(set.empty() ? 0 : set.front() + 1);
-  }
-  return numbers;
-}
+using namespace testing;
 
 TEST(Labels, OfEveryOrientationLieWhereThePatientHasThem) {
   const haptics::Volume scan = scanOn(obliqueGrid());
-  std::vector<int> expected;
   std::map<int, std::int64_t> counted;
-  for (std::int64_t k = 0; k < scan.grid.dims[2]; ++k)
-    for (std::int64_t j = 0; j < scan.grid.dims[1]; ++j)
-      for (std::int64_t i = 0; i < scan.grid.dims[0]; ++i) {
-        const Vec3 p_mm = 1e3 * scan.grid.worldOf({double(i), double(j), double(k)});
-        const Vec3 count = (p_mm - turned::kFirst_mm) / turned::kStep_mm;
-        const Vec3 nearest = count.array().round();
-        const bool within =
-            (nearest.array() >= 0.0).all() &&
-            (nearest.array() < Vec3(turned::kSize[0], turned::kSize[1], turned::kSize[2]).array())
-                .all();
-        expected.push_back(within ? octantAt(turned::placeOf_mm(nearest)) : 0);
-        ++counted[expected.back()];
-      }
+  const std::vector<int> expected = octantsOn(scan.grid, counted);
   ASSERT_EQ(counted.size(), 9U);  // all octants, and none
   int files = 0;
   for (const Mat3& axes : turned::orientations())
@@ -116,22 +66,11 @@ std::string segOf(const std::string& keys, const std::vector<std::vector<int>>& 
   return text;
 }
 
-Grid smallGrid() {
-  Grid grid;
-  grid.dims = {4, 3, 2};
-  grid.spacing = Vec3::Constant(1e-3);
-  return grid;
-}
-
 /// 24 voxels of which some have a label.
 std::vector<int> marked(std::initializer_list<int> at, int label = 1) {
   std::vector<int> voxels(24, 0);
   for (const int n : at) voxels[std::size_t(n)] = label;
   return voxels;
-}
-
-std::vector<std::uint8_t> setAt(const LabelMap& map, int n) {
-  return map.structuresOf(map.codes()[n]);
 }
 
 TEST(Labels, SegmentsOverlapInLayersAndKeepNamesAndColours) {
@@ -203,10 +142,6 @@ TEST(Labels, WithoutNamesEachNumberIsAStructure) {
   ASSERT_EQ(map->structures().size(), 2U);  // 3 and 200
   EXPECT_EQ(setAt(*map, 9), std::vector<std::uint8_t>{0});
   EXPECT_EQ(setAt(*map, 0), std::vector<std::uint8_t>{1});
-}
-
-std::string reasonOf(const haptics::Expected<LabelMap>& map) {
-  return map ? "" : map.error().reason;
 }
 
 TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
