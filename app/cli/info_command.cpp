@@ -165,7 +165,10 @@ Outcome info(const InfoOptions& all) {
   for (const std::string& path : all.labels) {
     const auto labels = datasets::readLabels(path, *volume, progress, reading);
     if (!labels) return refused(labels.error());
-    json["labels"].push_back({{"structures", listed(*labels, all.names)}});
+    ordered_json one{{"structures", listed(*labels, all.names)}};
+    for (const haptics::Message& note : labels->notes())
+      one["notes"].push_back(resources::sentence(note));
+    json["labels"].push_back(std::move(one));
   }
   return {Exit::Done, json, {}, {}};
 }
@@ -185,7 +188,7 @@ void addInfo(CLI::App& program, Chosen& chosen) {
   command
       ->add_option("--labels", options->labels,
                    "Structures of the scan: a label map (.seg.nrrd, NRRD, MetaImage, NIfTI) or a "
-                   "DICOM segmentation; repeat it for more than one")
+                   "DICOM segmentation or structure set; repeat it for more than one")
       ->allow_extra_args(false)
       ->check(notEmpty());
   command

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "datasets/labels/dicom_contours.h"
 #include "datasets/labels/dicom_segments.h"
 #include "datasets/labels/label_table.h"
 #include "datasets/labels/segments.h"
@@ -132,11 +133,12 @@ Expected<void> addDicom(LabelMap& map, const Beginning& beginning, const LabelRe
   const DicomFile file = describedBy(beginning.path, **parsed);
   if (!holdsStructures(file))
     return unsupported("not-labels", {"labels-unknown-format", {quoted(beginning.path)}});
+  ScanIdentity identity = identityOf((*parsed)->meta());
+  if (holdsContours(file)) identity.frames_of_reference.merge(framesOfContours((*parsed)->meta()));
   if (!reading.agreed)
-    if (auto belongs = checkBelongs(beginning.path, identityOf((*parsed)->meta()), reading.of);
-        !belongs)
-      return belongs;
-  return addDicomSegments(map, beginning.path, **parsed, progress);
+    if (auto belongs = checkBelongs(beginning.path, identity, reading.of); !belongs) return belongs;
+  return holdsContours(file) ? addDicomContours(map, beginning.path, **parsed, progress)
+                             : addDicomSegments(map, beginning.path, **parsed, progress);
 }
 
 Expected<LabelMap> readAny(const fs::path& path, const haptics::Volume& scan,

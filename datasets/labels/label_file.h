@@ -22,16 +22,15 @@ struct LabelReading {
 };
 
 /// Reads the structures of a scan: 3D Slicer's .seg.nrrd with names, colours and layers; any NRRD,
-/// MetaImage or NIfTI file of whole numbers; a DICOM segmentation (addDicomSegments()). In a label
-/// map each number but 0 is a structure, without a name
-/// where no segment has it; each volume of a file is a layer. The
-/// space of the patient is common to both; their grids may differ. Refuses what survey() and
-/// readVolume() refuse, and by name: another format, and values that are not whole numbers of at
-/// most seven digits ("not-labels"), a segment in a layer that is not there ("bad-header"), no
-/// label at all ("labels-none"), more than 255 structures ("labels-too-many"), a file or scan whose
-/// orientation is not known unless both have the same voxels ("orientation-unknown"), labels
-/// that lie beside the scan ("labels-elsewhere"), and a DICOM object that is not of this scan. Any
-/// thread; it reads one layer at a time.
+/// MetaImage or NIfTI file of whole numbers; a DICOM segmentation (addDicomSegments()) or structure
+/// set (addDicomContours()). In a label map each number but 0 is a structure, without a name where
+/// no segment has it; each volume of a file is a layer. The space of the patient is common to both;
+/// their grids may differ. Refuses what survey() and readVolume() refuse, and by name: another
+/// format, and values that are not whole numbers of at most seven digits ("not-labels"), a segment
+/// in a layer that is not there ("bad-header"), no label at all ("labels-none"), more than 255
+/// structures ("labels-too-many"), a file or scan whose orientation is not known unless both have
+/// the same voxels ("orientation-unknown"), labels that lie beside the scan ("labels-elsewhere"),
+/// and a DICOM object that is not of this scan. Any thread; it reads one layer at a time.
 haptics::Expected<LabelMap> readLabels(const std::filesystem::path& path,
                                        const haptics::Volume& scan,
                                        const ReadProgress& progress = {},

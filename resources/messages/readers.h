@@ -435,8 +435,8 @@ inline constexpr Row kReaders[] = {
      "bad-header"},
     // label maps
     {"labels-unknown-format",
-     "%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI "
-     "or a DICOM segmentation.",
+     "%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI, "
+     "or a DICOM segmentation or structure set.",
      "not-labels"},
     {"labels-not-whole",
      "%1 has values that are not whole numbers of at most seven digits, so it is no label map; "
@@ -487,6 +487,12 @@ inline constexpr Row kReaders[] = {
     {"labels-frame-twice",
      "%1 has two frames of one segment at one place; export the segments of one moment alone.",
      "duplicate"},
+    {"labels-contours-left-out",
+     "Contours of %1 that are not closed, or leave their plane, are left out: %2."},
+    {"labels-no-contours",
+     "%1 has no closed contour, so it marks no part of the scan; export the structures as closed "
+     "contours.",
+     "labels-none"},
     {"labels-no-memory", "There is no memory for the structures; close other programs.",
      "too-large"},
     // any volume, file or folder

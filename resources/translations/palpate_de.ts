@@ -1748,10 +1748,6 @@
         <translation>%1 enthält Strukturen, keine Aufnahme; öffnen Sie zuerst die Aufnahme, dann die Strukturen dazu.</translation>
     </message>
     <message>
-        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI or a DICOM segmentation.</source>
-        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage, NIfTI oder eine DICOM-Segmentierung.</translation>
-    </message>
-    <message>
         <source>By their identifiers %1 and the scan are of two patients; open it only if you know that it belongs to this scan.</source>
         <translation>Nach ihren Kennungen sind %1 und die Aufnahme von zwei Patienten; öffnen Sie die Datei nur, wenn Sie wissen, dass sie zu dieser Aufnahme gehört.</translation>
     </message>
@@ -1770,6 +1766,18 @@
     <message>
         <source>%1 has two frames of one segment at one place; export the segments of one moment alone.</source>
         <translation>%1 hat zwei Einzelbilder eines Segments an einem Ort; exportieren Sie die Segmente nur eines Zeitpunkts.</translation>
+    </message>
+    <message>
+        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI, or a DICOM segmentation or structure set.</source>
+        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage, NIfTI oder eine DICOM-Segmentierung oder einen DICOM-Struktursatz.</translation>
+    </message>
+    <message>
+        <source>Contours of %1 that are not closed, or leave their plane, are left out: %2.</source>
+        <translation>Konturen von %1, die nicht geschlossen sind oder ihre Ebene verlassen, sind weggelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no closed contour, so it marks no part of the scan; export the structures as closed contours.</source>
+        <translation>%1 hat keine geschlossene Kontur und markiert deshalb keinen Teil der Aufnahme; exportieren Sie die Strukturen als geschlossene Konturen.</translation>
     </message>
 </context>
 <context>

@@ -129,4 +129,48 @@ inline std::string compressedBytesOf(const SegmentObject& o, const std::string& 
   return bytes + number(0xe0ddfffe, 4) + number(0, 4);
 }
 
+/// A structure set.
+struct ContourObject {
+  struct DrawnContour {
+    std::string type;
+    std::vector<haptics::Vec3> corners;
+  };
+  struct Region {
+    int number;
+    std::string name;
+    std::vector<int> colour = {};
+    std::vector<DrawnContour> contours = {};
+    std::string frame_of_reference = "1.2.3.9";
+  };
+  Origin origin{"1.2.840.10008.5.1.4.1.1.481.3", "RTSTRUCT", "P1", "Doe^Jane", ""};
+  std::vector<Region> regions;
+  bool contours_are_unknown = false;  ///< written as of an unknown kind, as long texts are
+};
+
+inline std::string bytesOf(const ContourObject& o) {
+  std::vector<std::string> named, drawn;
+  for (const auto& r : o.regions) {
+    named.push_back(element(0x3006, 0x22, "IS", std::to_string(r.number)) +
+                    element(0x3006, 0x24, "UI", r.frame_of_reference) +
+                    element(0x3006, 0x26, "LO", r.name));
+    std::vector<std::string> contours;
+    for (const auto& c : r.contours) {
+      std::vector<double> numbers;
+      for (const haptics::Vec3& corner : c.corners)
+        numbers.insert(numbers.end(), corner.begin(), corner.end());
+      contours.push_back(
+          element(0x3006, 0x42, "CS", c.type) +
+          element(0x3006, 0x46, "IS", std::to_string(c.corners.size())) +
+          element(0x3006, 0x50, o.contours_are_unknown ? "UN" : "DS", decimals(numbers)));
+    }
+    drawn.push_back(
+        (r.colour.empty()
+             ? std::string()
+             : element(0x3006, 0x2a, "IS", decimals({r.colour.begin(), r.colour.end()}))) +
+        sequence(0x3006, 0x40, contours) + element(0x3006, 0x84, "IS", std::to_string(r.number)));
+  }
+  return fileHead(o.origin.sop_class, "1.2.840.10008.1.2.1") + rootOf(o.origin) +
+         sequence(0x3006, 0x20, named) + sequence(0x3006, 0x39, drawn);
+}
+
 }  // namespace datasets::testing
