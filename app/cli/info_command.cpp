@@ -187,8 +187,9 @@ void addInfo(CLI::App& program, Chosen& chosen) {
   addReading(*command, options->volume);
   command
       ->add_option("--labels", options->labels,
-                   "Structures of the scan: a label map (.seg.nrrd, NRRD, MetaImage, NIfTI) or a "
-                   "DICOM segmentation or structure set; repeat it for more than one")
+                   "Structures of the scan: a label map (.seg.nrrd, NRRD, MetaImage, NIfTI), a "
+                   "DICOM segmentation or structure set, or a surface (STL, OBJ, PLY); repeat it "
+                   "for more than one")
       ->allow_extra_args(false)
       ->check(notEmpty());
   command
@@ -196,6 +197,15 @@ void addInfo(CLI::App& program, Chosen& chosen) {
                    "What names the numbers of the label maps (3D Slicer's .ctbl, ITK-SNAP, "
                    "FreeSurfer)")
       ->check(notEmpty());
+  command
+      ->add_option_function<std::string>(
+          "--space",
+          [options](const std::string& name) {
+            options->reading.space = datasets::surfaceSpaceNamed(name);
+          },
+          "Of surfaces that do not state theirs: LPS (x points to the left), or RAS")
+      ->check(CLI::IsMember({"LPS", "RAS"}, CLI::ignore_case))
+      ->type_name("NAME");
   command->add_flag("--belongs", options->reading.agreed,
                     "Open structures although they are of another frame of reference or patient "
                     "than the scan");

@@ -16,6 +16,7 @@
 #include "datasets/labels/dicom_segments.h"
 #include "datasets/labels/label_table.h"
 #include "datasets/labels/segments.h"
+#include "datasets/labels/surface_inside.h"
 #include "datasets/readers/dicom/file.h"
 #include "datasets/readers/dicom/parsed.h"
 #include "datasets/readers/files/beginning.h"
@@ -144,16 +145,18 @@ Expected<void> addDicom(LabelMap& map, const Beginning& beginning, const LabelRe
 Expected<LabelMap> readAny(const fs::path& path, const haptics::Volume& scan,
                            const ReadProgress& progress, const LabelReading& reading) {
   const Beginning beginning = fs::is_regular_file(path) ? Beginning(path) : Beginning();
+  const bool is_surface = isSurfaceFile(path);
   const bool is_dicom = !isVolumeFile(path) && beginning.is_open && looksLikeDicom(beginning);
   // a series of slices or a folder is a scan, or several
-  if (fs::exists(path) && !isVolumeFile(path) && !is_dicom)
+  if (fs::exists(path) && !isVolumeFile(path) && !is_dicom && !is_surface)
     return unsupported("not-labels", {"labels-unknown-format", {quoted(path)}});
-  if (is_dicom && !scan.orientation_known)
+  if ((is_dicom || is_surface) && !scan.orientation_known)
     return unsupported("orientation-unknown", {"labels-orientation", {quoted(path)}});
   auto map = LabelMap::over(scan.grid);
   if (!map) return map;
-  const auto added = is_dicom ? addDicom(*map, beginning, reading, progress)
-                              : addVolumes(*map, path, scan, reading, progress);
+  const auto added = is_surface ? addSurface(*map, path, reading.space, progress)
+                     : is_dicom ? addDicom(*map, beginning, reading, progress)
+                                : addVolumes(*map, path, scan, reading, progress);
   if (!added) return tl::unexpected(added.error());
   if (std::ranges::all_of(map->structures(), [](const Structure& s) { return s.voxels == 0; }))
     return unsupported("labels-elsewhere", {"labels-elsewhere", {quoted(path)}});

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
+#include <optional>
 
 #include "datasets/labels/belonging.h"
 #include "datasets/labels/label_map.h"
+#include "datasets/labels/surface_inside.h"
 #include "datasets/readers/scan.h"
 
 namespace datasets {
@@ -15,6 +16,8 @@ struct LabelReading {
   /// Of the numbers of a label map: see readLabelTable(). It names what the file itself does not;
   /// empty: there is none.
   std::filesystem::path table = {};
+  /// Of a surface whose file does not state it.
+  std::optional<SurfaceSpace> space = {};
   /// Of the scan, to tell whether a DICOM object belongs to it: see checkBelongs().
   ScanIdentity of = {};
   /// The user says that the file belongs to the scan, whatever the two state.

@@ -436,7 +436,7 @@ inline constexpr Row kReaders[] = {
     // label maps
     {"labels-unknown-format",
      "%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI, "
-     "or a DICOM segmentation or structure set.",
+     "a DICOM segmentation or structure set, or a surface in STL, OBJ or PLY.",
      "not-labels"},
     {"labels-not-whole",
      "%1 has values that are not whole numbers of at most seven digits, so it is no label map; "
@@ -493,6 +493,18 @@ inline constexpr Row kReaders[] = {
      "%1 has no closed contour, so it marks no part of the scan; export the structures as closed "
      "contours.",
      "labels-none"},
+    {"surface-space-unknown",
+     "%1 does not state whether its x points to the patient's left (LPS) or right (RAS), so left "
+     "and right are unknown; state it as the program that wrote it has it.",
+     "surface-space"},
+    {"surface-space-twice",
+     "%1 states another space (LPS or RAS) than was asked for, or both; leave it out, or export "
+     "the surface again.",
+     "surface-space"},
+    {"surface-open",
+     "%1 is no closed surface, so nothing lies inside; close it or export the segmentation "
+     "instead. Open edges: %2.",
+     "surface-open"},
     {"labels-no-memory", "There is no memory for the structures; close other programs.",
      "too-large"},
     // any volume, file or folder

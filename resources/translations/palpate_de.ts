@@ -1768,16 +1768,28 @@
         <translation>%1 hat zwei Einzelbilder eines Segments an einem Ort; exportieren Sie die Segmente nur eines Zeitpunkts.</translation>
     </message>
     <message>
-        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI, or a DICOM segmentation or structure set.</source>
-        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage, NIfTI oder eine DICOM-Segmentierung oder einen DICOM-Struktursatz.</translation>
-    </message>
-    <message>
         <source>Contours of %1 that are not closed, or leave their plane, are left out: %2.</source>
         <translation>Konturen von %1, die nicht geschlossen sind oder ihre Ebene verlassen, sind weggelassen: %2.</translation>
     </message>
     <message>
         <source>%1 has no closed contour, so it marks no part of the scan; export the structures as closed contours.</source>
         <translation>%1 hat keine geschlossene Kontur und markiert deshalb keinen Teil der Aufnahme; exportieren Sie die Strukturen als geschlossene Konturen.</translation>
+    </message>
+    <message>
+        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI, a DICOM segmentation or structure set, or a surface in STL, OBJ or PLY.</source>
+        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage, NIfTI, eine DICOM-Segmentierung, einen DICOM-Struktursatz oder eine Oberfläche in STL, OBJ oder PLY.</translation>
+    </message>
+    <message>
+        <source>%1 does not state whether its x points to the patient&apos;s left (LPS) or right (RAS), so left and right are unknown; state it as the program that wrote it has it.</source>
+        <translation>%1 gibt nicht an, ob x nach links (LPS) oder rechts (RAS) vom Patienten zeigt, links und rechts sind also unbekannt; geben Sie es so an, wie es das Programm hält, das die Datei geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>%1 states another space (LPS or RAS) than was asked for, or both; leave it out, or export the surface again.</source>
+        <translation>%1 nennt einen anderen Raum (LPS oder RAS) als verlangt oder beide; lassen Sie die Angabe weg, oder exportieren Sie die Oberfläche neu.</translation>
+    </message>
+    <message>
+        <source>%1 is no closed surface, so nothing lies inside; close it or export the segmentation instead. Open edges: %2.</source>
+        <translation>%1 ist keine geschlossene Oberfläche, also liegt nichts darin; schließen Sie sie, oder exportieren Sie stattdessen die Segmentierung. Offene Kanten: %2.</translation>
     </message>
 </context>
 <context>

@@ -192,7 +192,7 @@ TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
     EXPECT_EQ(reasonFor(made("float", voxels), scan), "not-labels") << odd;
   }
   EXPECT_EQ(reasonFor("no volume", scan), "bad-header");
-  EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.stl", "solid"), scan)), "not-labels");
+  EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.off", "solid"), scan)), "not-labels");
   EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.stl", "solid").parent_path(), scan)),
             "not-labels");
   EXPECT_EQ(reasonOf(readLabels(workshop.write("x", "").parent_path() / "none.nrrd", scan)),
