@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -93,17 +95,53 @@ struct InfoOptions {
   bool names = false;
 };
 
+/// Where the voxels of a structure lie in the scan, by index.
+struct Extent {
+  std::array<std::int64_t, 3> first, end;
+  haptics::Vec3 sum = haptics::Vec3::Zero();  ///< of the indices
+
+  void take(const std::array<std::int64_t, 3>& index, std::int64_t before) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      first[a] = before == 0 ? index[a] : std::min(first[a], index[a]);
+      end[a] = before == 0 ? index[a] + 1 : std::max(end[a], index[a] + 1);
+      sum[Eigen::Index(a)] += double(index[a]);
+    }
+  }
+};
+
+std::vector<Extent> extentsOf(const datasets::LabelMap& labels) {
+  const auto& dims = labels.grid().dims;
+  std::vector<Extent> extents(labels.structures().size());
+  std::vector<std::int64_t> seen(extents.size(), 0);
+  const std::uint8_t* code = labels.codes();
+  std::array<std::int64_t, 3> index{};
+  for (index[2] = 0; index[2] < dims[2]; ++index[2])
+    for (index[1] = 0; index[1] < dims[1]; ++index[1])
+      for (index[0] = 0; index[0] < dims[0]; ++index[0], ++code)
+        if (*code != 0)
+          for (const std::uint8_t number : labels.structuresOf(*code))
+            extents[number].take(index, seen[number]++);
+  return extents;
+}
+
 /// The structures of a label map. Names only where they are asked for: a file's can be patient
 /// text.
 ordered_json listed(const datasets::LabelMap& labels, bool names) {
   const double voxel_mm3 = 1e9 * labels.grid().spacing.prod();
+  const std::vector<Extent> extents = extentsOf(labels);
   ordered_json all = ordered_json::array();
   for (const datasets::Structure& structure : labels.structures()) {
+    const Extent& extent = extents[all.size()];
     ordered_json one{{"number", all.size() + 1}};
     if (names) one["name"] = structure.name;
     one["colour"] = structure.colour;
     one["voxels"] = structure.voxels;
     one["volume_mm3"] = double(structure.voxels) * voxel_mm3;
+    if (structure.voxels > 0) {
+      one["box"] = {{"first", extent.first}, {"end", extent.end}};
+      one["centre_mm"] =
+          asJson(inMillimetres(labels.grid().worldOf(extent.sum / double(structure.voxels))));
+    }
     all.push_back(std::move(one));
   }
   return all;
@@ -134,6 +172,10 @@ Outcome info(const InfoOptions& all) {
     json["series"] = ordered_json::array();
     for (const datasets::SeriesVerdict& series : survey->series)
       json["series"].push_back(listed(series));
+  }
+  for (const datasets::StructuresFound& found : survey->structures) {
+    const bool drawn = found.kind == datasets::StructuresFound::Kind::Contours;
+    json["structures"].push_back({{"file", found.name}, {"kind", drawn ? "contours" : "segments"}});
   }
   if (only == nullptr || !loads(*only)) {
     // nothing here can be loaded: what was asked for, or could be corrected, or the first

@@ -450,6 +450,45 @@ TEST(DicomLabels, OfAnotherScanAreAskedAbout) {
   EXPECT_EQ(reasonOf(readLabels(drawn, scanOn(smallGrid()), {}, {.of = scan})), "");
 }
 
+TEST(DicomLabels, ASurveyListsThemBesideTheScan) {
+  Workshop workshop;
+  DicomSlice slice;
+  slice.rows = 3;
+  slice.columns = 4;
+  slice.pixels.assign(12, 5);
+  const auto ct = workshop.write("study/ct", bytesOf(slice));
+  SegmentObject fractions = smallObject();  // a byte a pixel, and so nearly an image
+  fractions.type = "FRACTIONAL";
+  workshop.write("study/fractions", bytesOf(fractions));
+  workshop.write("study/deep/seg", bytesOf(smallObject()));
+  workshop.write("study/deep/cut", bytesOf(smallObject()).substr(0, 1200));
+  const auto contours = workshop.write("study/deep/rt", bytesOf(smallContours()));
+  const auto listed = [](const Survey& survey) {
+    std::string all;
+    for (const StructuresFound& found : survey.structures) {
+      EXPECT_TRUE(std::filesystem::exists(found.path));
+      all += found.name + (found.kind == StructuresFound::Kind::Contours ? " drawn;" : ";");
+    }
+    return all;
+  };
+  const auto folder = survey(workshop.folder() / "study");
+  ASSERT_TRUE(folder) << sentence(folder.error());
+  EXPECT_EQ(folder->series.size(), 1U);
+  EXPECT_EQ(listed(*folder), "deep/cut;deep/rt drawn;deep/seg;fractions;");
+  const auto file = survey(ct);
+  ASSERT_TRUE(file) << sentence(file.error());
+  EXPECT_EQ(file->series.size(), 1U);
+  EXPECT_EQ(file->series[0].verdict, Verdict::Sound);
+  EXPECT_EQ(listed(*file), "fractions;");
+  for (const auto& path :
+       {contours, contours.parent_path(), workshop.folder() / "study/fractions"}) {
+    const auto refused = survey(path);
+    ASSERT_FALSE(refused) << path;
+    EXPECT_EQ(refused.error().reason, "no-pixels");
+    EXPECT_NE(sentence(refused.error()).find("holds structures"), std::string::npos);
+  }
+}
+
 /// Changes bytes, cuts, repeats and removes pieces.
 std::string damaged(std::string bytes, std::mt19937& random) {
   const auto below = [&](std::size_t end) {
