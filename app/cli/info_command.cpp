@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -91,31 +93,75 @@ void describe(const haptics::Volume& volume, const datasets::SeriesVerdict* seri
 struct InfoOptions {
   VolumeChoice volume;
   std::vector<std::string> labels;
+  datasets::LabelReading reading;
   bool names = false;
 };
+
+/// Where the voxels of a structure lie in the scan, by index.
+struct Extent {
+  std::array<std::int64_t, 3> first, end;
+  haptics::Vec3 sum = haptics::Vec3::Zero();  ///< of the indices
+
+  void take(const std::array<std::int64_t, 3>& index, std::int64_t before) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      first[a] = before == 0 ? index[a] : std::min(first[a], index[a]);
+      end[a] = before == 0 ? index[a] + 1 : std::max(end[a], index[a] + 1);
+      sum[Eigen::Index(a)] += double(index[a]);
+    }
+  }
+};
+
+std::vector<Extent> extentsOf(const datasets::LabelMap& labels) {
+  const auto& dims = labels.grid().dims;
+  std::vector<Extent> extents(labels.structures().size());
+  std::vector<std::int64_t> seen(extents.size(), 0);
+  const std::uint8_t* code = labels.codes();
+  std::array<std::int64_t, 3> index{};
+  for (index[2] = 0; index[2] < dims[2]; ++index[2])
+    for (index[1] = 0; index[1] < dims[1]; ++index[1])
+      for (index[0] = 0; index[0] < dims[0]; ++index[0], ++code)
+        if (*code != 0)
+          for (const std::uint8_t number : labels.structuresOf(*code))
+            extents[number].take(index, seen[number]++);
+  return extents;
+}
 
 /// The structures of a label map. Names only where they are asked for: a file's can be patient
 /// text.
 ordered_json listed(const datasets::LabelMap& labels, bool names) {
   const double voxel_mm3 = 1e9 * labels.grid().spacing.prod();
+  const std::vector<Extent> extents = extentsOf(labels);
   ordered_json all = ordered_json::array();
   for (const datasets::Structure& structure : labels.structures()) {
+    const Extent& extent = extents[all.size()];
     ordered_json one{{"number", all.size() + 1}};
     if (names) one["name"] = structure.name;
     one["colour"] = structure.colour;
     one["voxels"] = structure.voxels;
     one["volume_mm3"] = double(structure.voxels) * voxel_mm3;
+    if (structure.voxels > 0) {
+      one["box"] = {{"first", extent.first}, {"end", extent.end}};
+      one["centre_mm"] =
+          asJson(inMillimetres(labels.grid().worldOf(extent.sum / double(structure.voxels))));
+    }
     all.push_back(std::move(one));
   }
   return all;
 }
 
-/// Adds the label maps that are named.
-Outcome withLabels(const InfoOptions& all, const haptics::Volume& volume, ordered_json json) {
+/// Adds the structures of the files that are named.
+Outcome withLabels(const InfoOptions& all, const haptics::Volume& volume,
+                   const datasets::ScanIdentity& scan, ordered_json json) {
+  datasets::LabelReading reading = all.reading;
+  reading.of = scan;
   for (const std::string& path : all.labels) {
-    const auto labels = datasets::readLabels(path, volume, {.cancel = &interruption()});
+    const auto labels =
+        datasets::readLabels(path, volume, {.cancel = &interruption()}, reading);
     if (!labels) return refused(labels.error());
-    json["labels"].push_back({{"structures", listed(*labels, all.names)}});
+    ordered_json one{{"structures", listed(*labels, all.names)}};
+    for (const haptics::Message& note : labels->notes())
+      one["notes"].push_back(resources::sentence(note));
+    json["labels"].push_back(std::move(one));
   }
   return {Exit::Done, json, {}, {}};
 }
@@ -128,7 +174,7 @@ Outcome infoOfPhantom(const InfoOptions& all) {
   const auto labels = datasets::phantomLabels(all.volume.phantom, (*volume)->grid, &interruption());
   if (!labels) return refused(labels.error());
   if (!labels->structures().empty()) json["structures"] = listed(*labels, true);
-  return withLabels(all, **volume, std::move(json));
+  return withLabels(all, **volume, {}, std::move(json));
 }
 
 Outcome info(const InfoOptions& all) {
@@ -160,6 +206,10 @@ Outcome info(const InfoOptions& all) {
     for (const datasets::SeriesVerdict& series : survey->series)
       json["series"].push_back(listed(series));
   }
+  for (const datasets::StructuresFound& found : survey->structures) {
+    const bool drawn = found.kind == datasets::StructuresFound::Kind::Contours;
+    json["structures"].push_back({{"file", found.name}, {"kind", drawn ? "contours" : "segments"}});
+  }
   if (only == nullptr || !loads(*only)) {
     // nothing here can be loaded: what was asked for, or could be corrected, or the first
     const auto correctable = std::ranges::find(survey->series, datasets::Verdict::Correctable,
@@ -185,7 +235,7 @@ Outcome info(const InfoOptions& all) {
     return refused(volume.error(), json);
   }
   describe(*volume, only, json);
-  return withLabels(all, *volume, std::move(json));
+  return withLabels(all, *volume, datasets::identityOf(*only), std::move(json));
 }
 
 }  // namespace
@@ -203,10 +253,28 @@ void addInfo(CLI::App& program, Chosen& chosen) {
   addReading(*command, options->volume);
   command
       ->add_option("--labels", options->labels,
-                   "A label map of the scan (.seg.nrrd, NRRD, MetaImage, NIfTI); repeat it for "
-                   "more than one")
+                   "Structures of the scan: a label map (.seg.nrrd, NRRD, MetaImage, NIfTI), a "
+                   "DICOM segmentation or structure set, or a surface (STL, OBJ, PLY); repeat it "
+                   "for more than one")
       ->allow_extra_args(false)
       ->check(notEmpty());
+  command
+      ->add_option("--table", options->reading.table,
+                   "What names the numbers of the label maps (3D Slicer's .ctbl, ITK-SNAP, "
+                   "FreeSurfer)")
+      ->check(notEmpty());
+  command
+      ->add_option_function<std::string>(
+          "--space",
+          [options](const std::string& name) {
+            options->reading.space = datasets::surfaceSpaceNamed(name);
+          },
+          "Of surfaces that do not state theirs: LPS (x points to the left), or RAS")
+      ->check(CLI::IsMember({"LPS", "RAS"}, CLI::ignore_case))
+      ->type_name("NAME");
+  command->add_flag("--belongs", options->reading.agreed,
+                    "Open structures although they are of another frame of reference or patient "
+                    "than the scan");
   command->add_flag("--names", options->names,
                     "Print the names of structures too; they can say who the patient is");
   command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });

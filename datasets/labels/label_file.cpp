@@ -3,15 +3,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
-#include <optional>
+#include <new>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "datasets/labels/dicom_contours.h"
+#include "datasets/labels/dicom_segments.h"
+#include "datasets/labels/label_table.h"
 #include "datasets/labels/segments.h"
+#include "datasets/labels/surface_inside.h"
+#include "datasets/readers/dicom/file.h"
+#include "datasets/readers/dicom/parsed.h"
+#include "datasets/readers/files/beginning.h"
+#include "datasets/readers/files/c_locale.h"
 #include "datasets/readers/files/header_words.h"
 #include "datasets/readers/files/refusal.h"
 #include "datasets/readers/volume_header.h"
@@ -23,17 +32,6 @@ namespace fs = std::filesystem;
 using haptics::Expected;
 
 namespace {
-
-/// Colours far apart for neighbouring numbers: the hue goes on by the golden angle.
-std::array<double, 3> colourOf(std::size_t number) {
-  constexpr double kGolden = 0.618033988749895, kPale = 0.35, kBright = 0.95;
-  const double hue = 6.0 * std::fmod(0.02 + kGolden * double(number), 1.0);
-  const auto channel = [&](double of) {
-    const double away = std::abs(std::remainder(hue - of, 6.0));
-    return kBright * (kPale + (1.0 - kPale) * std::clamp(2.0 - away, 0.0, 1.0));
-  };
-  return {channel(0.0), channel(2.0), channel(4.0)};
-}
 
 /// The whole numbers other than 0 in a volume.
 Expected<std::set<std::int64_t>> labelsIn(const haptics::Volume& volume, const fs::path& path) {
@@ -72,36 +70,35 @@ bool isSame(const haptics::Grid& one, const haptics::Grid& other) {
   return true;
 }
 
-}  // namespace
-
-Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
-                              const ReadProgress& progress) {
-  // a series of slices or a folder is a scan, or several; a mesh is none
-  std::error_code ignored;
-  if (fs::exists(path, ignored) && !isVolumeFile(path))
-    return unsupported("not-labels", {"labels-unknown-format", {quoted(path)}});
+/// Adds what a file of whole volumes marks.
+Expected<void> addVolumes(LabelMap& map, const fs::path& path, const haptics::Volume& scan,
+                          const LabelReading& reading, const ReadProgress& progress) {
   const auto survey = datasets::survey(path, progress.part(0.0, 0.02));
   if (!survey) return tl::unexpected(survey.error());
   const auto segments = segmentsOf(path);
   if (!segments) return tl::unexpected(segments.error());
-  auto map = LabelMap::over(scan.grid);
-  if (!map) return tl::unexpected(map.error());
+  std::map<std::int64_t, NamedLabel> table;
+  if (!reading.table.empty()) {
+    auto read = readLabelTable(reading.table);
+    if (!read) return tl::unexpected(read.error());
+    table = std::move(*read);
+  }
   // the segments of each layer, by label
   std::map<std::int64_t, std::map<std::int64_t, std::uint8_t>> named;
   for (std::size_t n = 0; n < segments->size(); ++n) {
     const Segment& segment = (*segments)[n];
     Structure structure = segment.structure;
-    if (!segment.coloured) structure.colour = colourOf(n);
+    if (!segment.coloured) structure.colour = colourFarFromOthers(n);
     if (segment.layer >= std::int64_t(survey->series.size()))
       return wrongField(path, "Segment" + std::to_string(n) + "_Layer");
-    named[segment.layer][segment.label] = map->add(std::move(structure));
+    named[segment.layer][segment.label] = map.add(std::move(structure));
   }
   const auto layers = double(survey->series.size());
   bool any = false;
   for (std::size_t layer = 0; layer < survey->series.size(); ++layer) {
-    const auto labels = readVolume(survey->series[layer], {},
-                                   progress.part(0.02 + 0.98 * double(layer) / layers,
-                                                 0.02 + 0.98 * double(layer + 1) / layers));
+    const ReadProgress of_layer = progress.part(0.02 + 0.98 * double(layer) / layers,
+                                                0.02 + 0.98 * double(layer + 1) / layers);
+    const auto labels = readVolume(survey->series[layer], {}, of_layer.part(0.0, 0.7));
     if (!labels) return tl::unexpected(labels.error());
     if (!(labels->orientation_known && scan.orientation_known) && !isSame(labels->grid, scan.grid))
       return unsupported("orientation-unknown", {"labels-orientation", {quoted(path)}});
@@ -109,19 +106,74 @@ Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
     if (!there) return tl::unexpected(there.error());
     any = any || !there->empty();
     auto numbers = named[std::int64_t(layer)];
-    // a number that no segment has is a structure without a name
+    // a number that no segment has is a structure with the name of the table, or without one
     for (const std::int64_t label : *there) {
       if (numbers.contains(label)) continue;
-      if (map->structures().size() == kMostStructures)
+      if (map.structures().size() == kMostStructures)
         return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
-      numbers[label] = map->add({.colour = colourOf(map->structures().size())});
+      Structure structure{.colour = colourFarFromOthers(map.structures().size())};
+      if (const auto known = table.find(label); known != table.end()) {
+        structure.name = known->second.name;
+        structure.colour = known->second.colour;
+      }
+      numbers[label] = map.add(std::move(structure));
     }
-    if (auto added = map->add(*labels, numbers); !added) return tl::unexpected(added.error());
+    if (auto added = map.add(*labels, numbers, of_layer.part(0.7, 1.0)); !added)
+      return tl::unexpected(added.error());
   }
   if (!any) return unsupported("labels-none", {"labels-none", {quoted(path)}});
+  return {};
+}
+
+/// Adds what a DICOM object marks.
+Expected<void> addDicom(LabelMap& map, const Beginning& beginning, const LabelReading& reading,
+                        const ReadProgress& progress) {
+  const CLocale numbers_with_points;
+  const auto parsed = ParsedDicom::of(beginning);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const DicomFile file = describedBy(beginning.path, **parsed);
+  if (!holdsStructures(file))
+    return unsupported("not-labels", {"labels-unknown-format", {quoted(beginning.path)}});
+  ScanIdentity identity = identityOf((*parsed)->meta());
+  if (holdsContours(file)) identity.frames_of_reference.merge(framesOfContours((*parsed)->meta()));
+  if (!reading.agreed)
+    if (auto belongs = checkBelongs(beginning.path, identity, reading.of); !belongs) return belongs;
+  return holdsContours(file) ? addDicomContours(map, beginning.path, **parsed, progress)
+                             : addDicomSegments(map, beginning.path, **parsed, progress);
+}
+
+Expected<LabelMap> readAny(const fs::path& path, const haptics::Volume& scan,
+                           const ReadProgress& progress, const LabelReading& reading) {
+  const Beginning beginning = fs::is_regular_file(path) ? Beginning(path) : Beginning();
+  const bool is_surface = isSurfaceFile(path);
+  const bool is_dicom = !isVolumeFile(path) && beginning.is_open && looksLikeDicom(beginning);
+  // a series of slices or a folder is a scan, or several
+  if (fs::exists(path) && !isVolumeFile(path) && !is_dicom && !is_surface)
+    return unsupported("not-labels", {"labels-unknown-format", {quoted(path)}});
+  if ((is_dicom || is_surface) && !scan.orientation_known)
+    return unsupported("orientation-unknown", {"labels-orientation", {quoted(path)}});
+  auto map = LabelMap::over(scan.grid);
+  if (!map) return map;
+  const auto added = is_surface ? addSurface(*map, path, reading.space, progress)
+                     : is_dicom ? addDicom(*map, beginning, reading, progress)
+                                : addVolumes(*map, path, scan, reading, progress);
+  if (!added) return tl::unexpected(added.error());
   if (std::ranges::all_of(map->structures(), [](const Structure& s) { return s.voxels == 0; }))
     return unsupported("labels-elsewhere", {"labels-elsewhere", {quoted(path)}});
   return map;
+}
+
+}  // namespace
+
+Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
+                              const ReadProgress& progress, const LabelReading& reading) {
+  try {
+    return readAny(path, scan, progress, reading);
+  } catch (const std::bad_alloc&) {
+    return unsupported("too-large", {"memory-too-small", {quoted(path)}});
+  } catch (const std::exception&) {
+    return malformed("unreadable", {"file-unreadable", {quoted(path)}});
+  }
 }
 
 }  // namespace datasets

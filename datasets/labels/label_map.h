@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
 
@@ -28,6 +30,10 @@ struct Structure {
   std::int64_t voxels = 0;                      ///< of the scan that belong to it
 };
 
+/// A colour for a structure that has none, far from those of its neighbours in the list: the hue
+/// goes on by the golden angle.
+std::array<double, 3> colourFarFromOthers(std::size_t number);
+
 /// Which structures each voxel of a scan belongs to: one byte a voxel, also where structures
 /// overlap. The byte is a code, and each code stands for a set of structures; 0 stands for none.
 class LabelMap {
@@ -43,18 +49,24 @@ class LabelMap {
   const std::vector<std::uint8_t>& structuresOf(std::uint8_t code) const { return sets_[code]; }
   std::size_t setCount() const { return sets_.size(); }  ///< codes that stand for something
   const std::vector<Structure>& structures() const { return structures_; }
+  /// Sentences about parts of the file that are not in the map.
+  const std::vector<haptics::Message>& notes() const { return notes_; }
 
   /// Adds the structures of a volume of labels, which may lie on another grid: each voxel of the
   /// scan gets what the volume has at the nearest of its voxels, and nothing beyond them.
   /// `numbers`: which of `structures()` each label is; other labels are nothing. Refuses
   /// ("labels-too-many") more than 255 sets of structures that overlap.
   haptics::Expected<void> add(const haptics::Volume& labels,
-                              const std::map<std::int64_t, std::uint8_t>& numbers);
-  /// Adds a voxel, counted as in codes(), to the structure with this number. Refuses likewise.
-  haptics::Expected<void> mark(std::int64_t voxel, std::uint8_t number);
+                              const std::map<std::int64_t, std::uint8_t>& numbers,
+                              const ReadProgress& progress = {});
   /// Adds a structure of which no voxel is known yet, and returns its number. There must be fewer
   /// than kMostStructures.
   std::uint8_t add(Structure structure);
+  /// Makes a voxel, by its place in codes(), one of a structure's. Refuses as above.
+  haptics::Expected<void> mark(std::int64_t voxel, std::uint8_t number);
+  void note(haptics::Message sentence) { notes_.push_back(std::move(sentence)); }
+  /// The voxels among which those at these places lie, and at most one more on each side.
+  haptics::VoxelBox boxAround(std::span<const haptics::Vec3> places_W) const;
 
  private:
   LabelMap() = default;
@@ -63,8 +75,10 @@ class LabelMap {
   haptics::Grid grid_;
   std::shared_ptr<std::uint8_t[]> codes_;
   std::vector<std::vector<std::uint8_t>> sets_{{}};
-  std::map<std::pair<std::uint8_t, std::uint8_t>, std::uint8_t> joined_;  ///< code and number
+  /// The code of a set with one structure more, by code and number; below 0: not known yet.
+  std::vector<std::int16_t> joined_ = std::vector<std::int16_t>(256 * 256, -1);
   std::vector<Structure> structures_;
+  std::vector<haptics::Message> notes_;
 };
 
 }  // namespace datasets

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -98,11 +99,23 @@ struct SeriesVerdict {
   std::shared_ptr<const void> place;  ///< keeps the temporary folder of an archive
 };
 
+/// A DICOM object that marks parts of a scan (holdsStructures()).
+struct StructuresFound {
+  enum class Kind { Segments, Contours };
+  std::filesystem::path path;
+  std::string name;  ///< as the folder or archive names it
+  Kind kind = Kind::Segments;
+  std::shared_ptr<const void> place = {};  ///< as in SeriesVerdict
+};
+
 /// Everything that `info` reports about a path.
 struct Survey {
   /// The path is a folder, an archive or a file of several volumes; one must be chosen.
   bool several = false;
   std::vector<SeriesVerdict> series;
+  /// What readLabels() may put onto them, found with them: in the folder and below, or beside the
+  /// file.
+  std::vector<StructuresFound> structures = {};
 };
 
 /// Lets another thread watch and cancel a read. The reading thread calls `advanced` and reads

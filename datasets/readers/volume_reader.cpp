@@ -173,7 +173,7 @@ fs::path folderOf(const fs::path& file) {
 Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) {
   const auto paths = filesBelow(folder, progress);
   if (!paths) return tl::unexpected(paths.error());
-  Survey survey{true, {}};
+  Survey survey{.several = true, .series = {}};
   std::vector<DicomFile> frames;
   std::vector<SeriesVerdict> volumes;
   std::map<fs::path, Closed> closed;  // by folder
@@ -207,6 +207,7 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
     if (files[i].format != nullptr) add(verdictsOf(path, *files[i].format), volumes);
     std::ranges::move(files[i].frames, std::back_inserter(frames));
   }
+  survey.structures = takeStructures(frames, folder);
   std::vector<DicomSeries> all = seriesAmong(std::move(frames));
   for (const DicomSeries& series : all)
     for (const DicomFile& file : series.files)
@@ -228,6 +229,13 @@ bool isArchiveOfThatName(const fs::path& path, const VolumeFormat& format) {
   return !format.header(path) && looksLikeArchive(path);
 }
 
+/// The refusal of a folder or an archive without a scan.
+tl::unexpected<haptics::Error> noScanIn(const Survey& found, const fs::path& path) {
+  if (found.structures.empty())
+    return unsupported("unreadable", {"folder-no-scan", {quoted(path)}});
+  return unsupported("no-pixels", {"dicom-structures", {quoted(path)}});
+}
+
 Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
   std::error_code error;
   Survey survey;
@@ -243,16 +251,17 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     const fs::path folder = is_index ? folderOf(path) : path;
     auto found = surveyOf(folder, progress);
     if (!found) return found;
-    if (found->series.empty())
-      return unsupported("unreadable", {"folder-no-scan", {quoted(folder)}});
+    if (found->series.empty()) return noScanIn(*found, folder);
     survey = std::move(*found);
   } else if (!fs::is_regular_file(path, error)) {
     return notFound(path);
   } else if (format != nullptr && !isArchiveOfThatName(path, *format)) {
     survey.series = verdictsOf(path, *format);
     survey.several = survey.series.size() > 1;
+  } else if (is_dicom && !header.frames.empty() && holdsStructures(header.frames.front())) {
+    return tl::unexpected(*header.frames.front().fault);
   } else if (is_dicom) {
-    auto all = seriesOf(path, std::move(header), progress);
+    auto all = seriesOf(path, std::move(header), progress, &survey.structures);
     if (!all) return tl::unexpected(std::move(all.error()));
     Closed beside = closedBeside(folderOf(path));
     survey.several = all->size() > 1;
@@ -266,9 +275,10 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     if (!folder) return tl::unexpected(folder.error());
     auto found = surveyOf((*folder)->path(), progress.part(0.5, 1.0));
     if (!found) return found;
-    if (found->series.empty()) return unsupported("unreadable", {"folder-no-scan", {quoted(path)}});
+    if (found->series.empty()) return noScanIn(*found, path);
     survey = std::move(*found);
     for (SeriesVerdict& series : survey.series) series.place = *folder;
+    for (StructuresFound& structures : survey.structures) structures.place = *folder;
   } else if (auto packed = whyNoArchive(path)) {
     return unsupported("unreadable", std::move(*packed));
   } else {

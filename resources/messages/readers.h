@@ -48,6 +48,9 @@ inline constexpr Row kReaders[] = {
     {"dicom-pixels-missing",
      "A file of the series describes an image and ends without its pixels; fetch it again.",
      "no-pixels"},
+    {"dicom-structures",
+     "%1 holds structures, not a scan; open the scan first, then the structures beside it.",
+     "no-pixels"},
     {"dicom-no-image", "The series holds no image; choose the series of the scan.", "no-pixels"},
     {"dicom-colour",
      "The series holds colour pictures, which have no isosurface; choose the series of the scan.",
@@ -432,7 +435,8 @@ inline constexpr Row kReaders[] = {
      "bad-header"},
     // label maps
     {"labels-unknown-format",
-     "%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage or NIfTI.",
+     "%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI, "
+     "a DICOM segmentation or structure set, or a surface in STL, OBJ or PLY.",
      "not-labels"},
     {"labels-not-whole",
      "%1 has values that are not whole numbers of at most seven digits, so it is no label map; "
@@ -454,6 +458,53 @@ inline constexpr Row kReaders[] = {
      "both "
      "with their orientation.",
      "orientation-unknown"},
+    {"labels-table-line",
+     "Line %2 of %1 has no number, name and colour as a table of 3D Slicer (.ctbl), ITK-SNAP or "
+     "FreeSurfer has them; choose the table of the label map.",
+     "bad-header"},
+    {"labels-table-twice", "Line %2 of %1 names a number that stands above it already; remove one.",
+     "bad-header"},
+    {"labels-table-empty", "%1 names no number; choose the table of the label map.", "bad-header"},
+    {"labels-table-too-large",
+     "%1 is larger than 1 MiB, so it is no table of names; choose the table of the label map.",
+     "too-large"},
+    {"labels-another-patient",
+     "By their identifiers %1 and the scan are of two patients; open it only if you know that it "
+     "belongs to this scan.",
+     "another-patient"},
+    {"labels-another-frame",
+     "%1 counts places from another origin than the scan (frame of reference), so its structures "
+     "may lie elsewhere; open it only if you know that it belongs to this scan.",
+     "another-frame-of-reference"},
+    {"labels-frames-turned",
+     "The frames of %1 are turned against each other, so its segments cannot be placed; export "
+     "the segmentation again.",
+     "mixed-orientation"},
+    {"labels-frames-uneven",
+     "The frames of %1 do not lie on even planes, so its segments cannot be placed; export the "
+     "segmentation as .seg.nrrd.",
+     "uneven-spacing"},
+    {"labels-frame-twice",
+     "%1 has two frames of one segment at one place; export the segments of one moment alone.",
+     "duplicate"},
+    {"labels-contours-left-out",
+     "Contours of %1 that are not closed, or leave their plane, are left out: %2."},
+    {"labels-no-contours",
+     "%1 has no closed contour, so it marks no part of the scan; export the structures as closed "
+     "contours.",
+     "labels-none"},
+    {"surface-space-unknown",
+     "%1 does not state whether its x points to the patient's left (LPS) or right (RAS), so left "
+     "and right are unknown; state it as the program that wrote it has it.",
+     "surface-space"},
+    {"surface-space-twice",
+     "%1 states another space (LPS or RAS) than was asked for, or both; leave it out, or export "
+     "the surface again.",
+     "surface-space"},
+    {"surface-open",
+     "%1 is no closed surface, so nothing lies inside; close it or export the segmentation "
+     "instead. Open edges: %2.",
+     "surface-open"},
     {"labels-no-memory", "There is no memory for the structures; close other programs.",
      "too-large"},
     // any volume, file or folder

@@ -1724,12 +1724,72 @@
         <translation>Für die Strukturen ist kein Speicher da; schließen Sie andere Programme.</translation>
     </message>
     <message>
-        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage or NIfTI.</source>
-        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage oder NIfTI.</translation>
-    </message>
-    <message>
         <source>%1 has values that are not whole numbers of at most seven digits, so it is no label map; export the segmentation as a label map.</source>
         <translation>%1 hat Werte, die keine ganzen Zahlen mit höchstens sieben Stellen sind, und ist deshalb keine Label-Karte; exportieren Sie die Segmentierung als Label-Karte.</translation>
+    </message>
+    <message>
+        <source>Line %2 of %1 has no number, name and colour as a table of 3D Slicer (.ctbl), ITK-SNAP or FreeSurfer has them; choose the table of the label map.</source>
+        <translation>Zeile %2 von %1 hat nicht Nummer, Namen und Farbe, wie eine Tabelle von 3D Slicer (.ctbl), ITK-SNAP oder FreeSurfer sie hat; wählen Sie die Tabelle der Label-Karte.</translation>
+    </message>
+    <message>
+        <source>Line %2 of %1 names a number that stands above it already; remove one.</source>
+        <translation>Zeile %2 von %1 benennt eine Nummer, die schon darüber steht; entfernen Sie eine von beiden.</translation>
+    </message>
+    <message>
+        <source>%1 names no number; choose the table of the label map.</source>
+        <translation>%1 benennt keine Nummer; wählen Sie die Tabelle der Label-Karte.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 1 MiB, so it is no table of names; choose the table of the label map.</source>
+        <translation>%1 ist größer als 1 MiB und damit keine Tabelle von Namen; wählen Sie die Tabelle der Label-Karte.</translation>
+    </message>
+    <message>
+        <source>%1 holds structures, not a scan; open the scan first, then the structures beside it.</source>
+        <translation>%1 enthält Strukturen, keine Aufnahme; öffnen Sie zuerst die Aufnahme, dann die Strukturen dazu.</translation>
+    </message>
+    <message>
+        <source>By their identifiers %1 and the scan are of two patients; open it only if you know that it belongs to this scan.</source>
+        <translation>Nach ihren Kennungen sind %1 und die Aufnahme von zwei Patienten; öffnen Sie die Datei nur, wenn Sie wissen, dass sie zu dieser Aufnahme gehört.</translation>
+    </message>
+    <message>
+        <source>%1 counts places from another origin than the scan (frame of reference), so its structures may lie elsewhere; open it only if you know that it belongs to this scan.</source>
+        <translation>%1 zählt Orte von einem anderen Ursprung als die Aufnahme (Frame of Reference), ihre Strukturen können also woanders liegen; öffnen Sie die Datei nur, wenn Sie wissen, dass sie zu dieser Aufnahme gehört.</translation>
+    </message>
+    <message>
+        <source>The frames of %1 are turned against each other, so its segments cannot be placed; export the segmentation again.</source>
+        <translation>Die Einzelbilder von %1 sind gegeneinander gedreht, deshalb haben ihre Segmente keinen Ort; exportieren Sie die Segmentierung neu.</translation>
+    </message>
+    <message>
+        <source>The frames of %1 do not lie on even planes, so its segments cannot be placed; export the segmentation as .seg.nrrd.</source>
+        <translation>Die Einzelbilder von %1 liegen nicht auf gleichmäßigen Ebenen, deshalb haben ihre Segmente keinen Ort; exportieren Sie die Segmentierung als .seg.nrrd.</translation>
+    </message>
+    <message>
+        <source>%1 has two frames of one segment at one place; export the segments of one moment alone.</source>
+        <translation>%1 hat zwei Einzelbilder eines Segments an einem Ort; exportieren Sie die Segmente nur eines Zeitpunkts.</translation>
+    </message>
+    <message>
+        <source>Contours of %1 that are not closed, or leave their plane, are left out: %2.</source>
+        <translation>Konturen von %1, die nicht geschlossen sind oder ihre Ebene verlassen, sind weggelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no closed contour, so it marks no part of the scan; export the structures as closed contours.</source>
+        <translation>%1 hat keine geschlossene Kontur und markiert deshalb keinen Teil der Aufnahme; exportieren Sie die Strukturen als geschlossene Konturen.</translation>
+    </message>
+    <message>
+        <source>%1 is no label map that is read here; choose a file in .seg.nrrd, NRRD, MetaImage, NIfTI, a DICOM segmentation or structure set, or a surface in STL, OBJ or PLY.</source>
+        <translation>%1 ist keine Label-Karte, die hier gelesen wird; wählen Sie eine Datei in .seg.nrrd, NRRD, MetaImage, NIfTI, eine DICOM-Segmentierung, einen DICOM-Struktursatz oder eine Oberfläche in STL, OBJ oder PLY.</translation>
+    </message>
+    <message>
+        <source>%1 does not state whether its x points to the patient&apos;s left (LPS) or right (RAS), so left and right are unknown; state it as the program that wrote it has it.</source>
+        <translation>%1 gibt nicht an, ob x nach links (LPS) oder rechts (RAS) vom Patienten zeigt, links und rechts sind also unbekannt; geben Sie es so an, wie es das Programm hält, das die Datei geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>%1 states another space (LPS or RAS) than was asked for, or both; leave it out, or export the surface again.</source>
+        <translation>%1 nennt einen anderen Raum (LPS oder RAS) als verlangt oder beide; lassen Sie die Angabe weg, oder exportieren Sie die Oberfläche neu.</translation>
+    </message>
+    <message>
+        <source>%1 is no closed surface, so nothing lies inside; close it or export the segmentation instead. Open edges: %2.</source>
+        <translation>%1 ist keine geschlossene Oberfläche, also liegt nichts darin; schließen Sie sie, oder exportieren Sie stattdessen die Segmentierung. Offene Kanten: %2.</translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any bytes as the files of a folder, cut where a separator stands: the verdict on every series.
+// Any bytes as the files of a folder, cut where a separator stands: the verdict on every series,
+// and the first file's structures on a small scan.
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "datasets/labels/label_file.h"
+#include "datasets/readers/dicom/codestream.h"
 #include "datasets/readers/dicom/folder.h"
 #include "datasets/readers/files/file_geometry.h"
 #include "tests/fuzz/require.h"
@@ -47,6 +51,30 @@ void check(const datasets::DicomSeries& series) {
                 "few planes are made up");
 }
 
+/// Compressed frames are for codestream_fuzz.
+void checkStructures(const std::filesystem::path& path, const std::string& syntax) {
+  if (datasets::codingOf(syntax)) return;
+  static const haptics::Volume scan = [] {
+    haptics::Grid grid;
+    grid.dims = {4, 3, 2};
+    grid.spacing = haptics::Vec3::Constant(1e-3);
+    auto voxels = haptics::allocateVoxels(24, haptics::ScalarType::UInt8).value();
+    return haptics::makeVolume(grid, haptics::ScalarType::UInt8, std::move(voxels)).value();
+  }();
+  const auto map = datasets::readLabels(path, scan);
+  if (!map) {
+    fuzz::require(!map.error().message.empty() && !map.error().reason.empty(),
+                  "a refusal has a sentence and a reason");
+    return;
+  }
+  std::vector<std::int64_t> counted(map->structures().size());
+  for (int n = 0; n < 24; ++n)
+    for (const std::uint8_t number : map->structuresOf(map->codes()[n])) ++counted.at(number);
+  for (std::size_t n = 0; n < counted.size(); ++n)
+    fuzz::require(counted[n] == map->structures()[n].voxels,
+                  "a structure has the voxels it states");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -55,10 +83,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (const auto all = datasets::seriesAmong(paths))
     for (const datasets::DicomSeries& series : *all) check(series);
   const datasets::Beginning beginning(paths.front());
-  if (datasets::looksLikeDicom(beginning))
-    if (const auto some =
-            datasets::seriesOf(paths.front(), datasets::readDicomHeader(beginning), {}))
+  if (datasets::looksLikeDicom(beginning)) {
+    auto header = datasets::readDicomHeader(beginning);
+    if (!header.frames.empty() && datasets::holdsStructures(header.frames.front()))
+      checkStructures(paths.front(), header.frames.front().syntax);
+    else if (const auto some = datasets::seriesOf(paths.front(), std::move(header), {}))
       for (const datasets::DicomSeries& series : *some) check(series);
+  }
   for (const auto& path : paths) std::filesystem::remove(path);
   return 0;
 }

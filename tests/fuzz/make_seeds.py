@@ -133,6 +133,53 @@ def enhanced(heights, undefined=False):
     return meta("explicit", "1.2.9", ENHANCED_CT) + body
 
 
+def structures(sop_class, modality, *elements):
+    """An object that marks parts of a scan."""
+    e = Writer().element
+    return (meta("explicit", "1.2.9", sop_class) + e(8, 0x16, "UI", sop_class) + e(8, 0x18, "UI", "1.2.9")
+            + e(8, 0x60, "CS", modality) + e(0x20, 0xE, "UI", "1.2.8") + b"".join(elements))
+
+
+def segments(kind, bits, pixels, frames, undefined=False):
+    """A segmentation of frames of 4 x 3 pixels, each with its segment and height."""
+    w = Writer()
+    e = w.element
+
+    def group(number, *some):
+        return w.sequence(*number, b"".join(some), undefined=undefined)
+
+    shared = (group((0x20, 0x9116), e(0x20, 0x37, "DS", numbers(1, 0, 0, 0, 1, 0)))
+              + group((0x28, 0x9110), e(0x18, 0x88, "DS", "1"), e(0x28, 0x30, "DS", numbers(1, 1))))
+    placed = [group((0x20, 0x9113), e(0x20, 0x32, "DS", numbers(0, 0, z)))
+              + group((0x62, 0xA), e(0x62, 0xB, "US", n)) for n, z in frames]
+    described = [e(0x62, 4, "US", n) + e(0x62, 5, "LO", f"s{n}")
+                 + e(0x62, 0xD, "US", struct.pack("<3H", 30000, 40000, 20000)) for n in (1, 2)]
+    return structures(
+        "1.2.840.10008.5.1.4.1.1.66." + ("7" if kind == "LABELMAP" else "4"), "SEG",
+        e(0x28, 2, "US", 1), e(0x28, 4, "CS", "MONOCHROME2"), e(0x28, 8, "IS", str(len(frames))),
+        e(0x28, 0x10, "US", 3), e(0x28, 0x11, "US", 4), e(0x28, 0x100, "US", bits),
+        e(0x28, 0x101, "US", bits), e(0x28, 0x102, "US", bits - 1), e(0x28, 0x103, "US", 0),
+        e(0x62, 1, "CS", kind), w.sequence(0x62, 2, *described, undefined=undefined),
+        e(0x62, 0xE, "US", 255), w.sequence(0x5200, 0x9229, shared, undefined=undefined),
+        w.sequence(0x5200, 0x9230, *placed, undefined=undefined), e(0x7FE0, 0x10, "OB", pixels))
+
+
+def contours():
+    w = Writer()
+    e = w.element
+    drawn = [e(0x3006, 0x42, "CS", kind) + e(0x3006, 0x46, "IS", str(len(places) // 3))
+             + e(0x3006, 0x50, "DS", numbers(*places))
+             for kind, places in (("CLOSED_PLANAR", (-0.4, -0.4, 0, 2.4, -0.4, 0, 2.4, 1.4, 0)),
+                                  ("CLOSED_PLANAR", (0.6, 0.6, 1, 2.6, 0.6, 1, 2.6, 1.6, 1, 0.6, 1.6, 1)),
+                                  ("POINT", (1, 1, 1)))]
+    return structures(
+        "1.2.840.10008.5.1.4.1.1.481.3", "RTSTRUCT",
+        w.sequence(0x3006, 0x20, e(0x3006, 0x22, "IS", "3") + e(0x3006, 0x24, "UI", "1.2.3.9")
+                   + e(0x3006, 0x26, "LO", "canal")),
+        w.sequence(0x3006, 0x39, e(0x3006, 0x2A, "IS", "255\\0\\9") + w.sequence(0x3006, 0x40, *drawn)
+                   + e(0x3006, 0x84, "IS", "3")))
+
+
 def nested(depth):
     """Sequences in each other; they end where their lengths say."""
     w = Writer()
@@ -180,6 +227,10 @@ def dicom_seeds():
         "no-pixels": [dicom(0, pixels=b"")],
         "cut-off": [dicom(0)[:-3], dicom(1)],
         "nested": [dicom(0, extra=nested(5)), dicom(1, extra=nested(40))],
+        "segments-binary": [segments("BINARY", 1, b"\x1f\x82\x40\x01\x02", ((1, 0), (2, 0), (2, 1)))],
+        "segments-fractional": [segments("FRACTIONAL", 8, bytes(range(100, 124)), ((1, 0), (1, 3)), True)],
+        "segments-in-one": [segments("LABELMAP", 8, bytes((0, 1, 2) * 8), ((1, 0), (1, 1)))],
+        "contours": [contours()],
         "index": [meta("explicit", "1.2.7", "1.2.840.10008.1.3.10")],
     }
 

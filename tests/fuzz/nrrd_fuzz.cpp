@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Any bytes as an NRRD: all that is done before its voxels are read, the parse by teem and the
-// segments that it names included.
+// segments that it names included; and as a table that names labels.
 #include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "datasets/labels/label_table.h"
 #include "datasets/labels/segments.h"
 #include "datasets/readers/nrrd/voxels.h"
 #include "tests/fuzz/require.h"
@@ -43,6 +44,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   else
     fuzz::require(!segments.error().message.empty() && !segments.error().reason.empty(),
                   "a refusal has a sentence and a reason");
+  if (const auto table = datasets::readLabelTable(path))
+    for (const auto& [number, named] : *table)
+      fuzz::require(number >= 0 && datasets::shownName(named.name) == named.name,
+                    "a name is plain and bounded");
   const auto nrrd = datasets::parseNrrd(path);
   if (!nrrd) {
     fuzz::require(!nrrd.error().message.empty() && !nrrd.error().reason.empty(),

@@ -388,8 +388,36 @@ def lists_the_structures_of_label_maps():
     said = call("info", "--labels", labels, place / "v.nrrd", "--json").stdout
     check(b"PLNT" not in said, "info prints names unasked")
     structures = json.loads(said)["labels"][0]["structures"]
-    check(structures == [{"number": 1, "colour": [1.0, 0.0, 0.0], "voxels": 8 * 16 * 16, "volume_mm3": 2048.0}],
+    # eight voxels of 2 mm from 9.5 mm on along each axis, of which four are marked along x
+    check(structures == [{"number": 1, "colour": [1.0, 0.0, 0.0], "voxels": 8 * 16 * 16, "volume_mm3": 2048.0,
+                          "box": {"first": [10, 10, 10], "end": [18, 26, 26]},
+                          "centre_mm": [origin[0] + 13.5, origin[1] + 17.5, origin[2] + 17.5]}],
           f"structures {structures}")
+    table = place / "names.ctbl"
+    table.write_text("7 PLNT_canal 0 255 0 255\n")
+    labels.write_bytes((head.format(*(o + 10.5 for o in origin)) + "\n").encode() + voxels)
+    named = json.loads(call("info", place / "v.nrrd", "--names", "--table", table, "--labels", labels,
+                            "--json").stdout)["labels"][0]["structures"][0]
+    check(named["name"] == "PLNT_canal" and named["colour"] == [0.0, 1.0, 0.0], f"a table names {named}")
+    labels.write_bytes((head.format(*(o + 10.5 for o in origin)) + keys + "\n").encode() + voxels)
+    surface = place / "box.stl"
+    corners = [(20 + 10 * (n & 1), 20 + 10 * (n >> 1 & 1), 20 + 10 * (n >> 2)) for n in range(8)]
+    quads = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    text = "solid\n"
+    for a, b, c, d in quads:
+        for triangle in ((a, b, c), (a, c, d)):
+            text += "facet normal 0 0 0\nouter loop\n"
+            # RAS
+            text += "".join("vertex {} {} {}\n".format(-(origin[0] + corners[n][0] - 0.5),
+                                                       -(origin[1] + corners[n][1] - 0.5),
+                                                       origin[2] + corners[n][2] - 0.5) for n in triangle)
+            text += "endloop\nendfacet\n"
+    surface.write_text(text + "endsolid\n")
+    inside = json.loads(call("info", place / "v.nrrd", "--labels", surface, "--space", "ras",
+                             "--json").stdout)["labels"][0]["structures"][0]
+    check(inside["box"] == {"first": [20] * 3, "end": [30] * 3} and inside["voxels"] == 1000, f"a surface {inside}")
+    unsaid = call("info", place / "v.nrrd", "--labels", surface, "--json", code=3)
+    check(json.loads(unsaid.stdout)["reasons"] == ["surface-space"], f"no space: {unsaid}")
     named = json.loads(call("info", place / "v.nrrd", "--names", "--labels", labels, "--json").stdout)
     check(named["labels"][0]["structures"][0]["name"] == "PLNT^Jane", f"named {named}")
     # how far a point is from that box, tick for tick

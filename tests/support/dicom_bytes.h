@@ -31,7 +31,8 @@ inline std::string element(unsigned group, unsigned number, const std::string& r
   if (value.size() % 2 == 1) value += representation == "UI" ? '\0' : ' ';
   const auto word = [](std::size_t v) { return std::string{char(v & 0xff), char(v >> 8 & 0xff)}; };
   std::string bytes = word(group) + word(number) + representation;
-  if (representation == "OW" || representation == "OB")
+  if (representation == "OW" || representation == "OB" || representation == "SQ" ||
+      representation == "UN")
     bytes += word(0) + word(value.size()) + word(value.size() >> 16);
   else
     bytes += word(value.size());
@@ -53,6 +54,15 @@ inline std::string decimals(const std::vector<double>& values) {
     text += (text.empty() ? "" : "\\") + std::string{number};
   }
   return text;
+}
+
+/// A sequence whose length and whose items' lengths are stated.
+inline std::string sequence(unsigned group, unsigned number_of,
+                            const std::vector<std::string>& items) {
+  std::string all;
+  for (const std::string& item : items)
+    all += number(0xe000fffe, 4) + number(item.size(), 4) + item;
+  return element(group, number_of, "SQ", all);
 }
 
 inline std::string bytesOf(const DicomSlice& s) {
@@ -97,7 +107,8 @@ inline std::vector<Element> elementsOf(const std::string& data_set) {
   std::vector<Element> elements;
   for (std::size_t at = 0; at < data_set.size();) {
     Element e{word(at), word(at + 2), data_set.substr(at + 4, 2), {}};
-    const bool is_long = e.representation == "OW" || e.representation == "OB";
+    const bool is_long = e.representation == "OW" || e.representation == "OB" ||
+                         e.representation == "SQ" || e.representation == "UN";
     const std::size_t length = is_long ? word(at + 8) | word(at + 10) << 16 : word(at + 6);
     e.value = data_set.substr(at + (is_long ? 12 : 8), length);
     at += (is_long ? 12 : 8) + length;

@@ -25,8 +25,8 @@
 #include "datasets/readers/dicom/codestream.h"
 #include "datasets/readers/dicom/elements.h"
 #include "datasets/readers/dicom/numbers.h"
+#include "datasets/readers/dicom/parsed.h"
 #include "datasets/readers/dicom/rewritten_file.h"
-#include "datasets/readers/dicom/structure.h"
 #include "datasets/readers/files/c_locale.h"
 #include "datasets/readers/files/header_words.h"
 #include "datasets/readers/files/refusal.h"
@@ -39,9 +39,12 @@ using haptics::Vec3;
 
 namespace {
 
-constexpr std::string_view kDeflatedSyntax = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view kFolderIndex = "1.2.840.10008.1.3.10";  // media storage directory
 constexpr std::string_view kDose = "1.2.840.10008.5.1.4.1.1.481.2";
+constexpr std::string_view kBigEndianSyntax = "1.2.840.10008.1.2.2";
+constexpr std::string_view kContours = "1.2.840.10008.5.1.4.1.1.481.3";
+constexpr std::string_view kSegments = "1.2.840.10008.5.1.4.1.1.66.4";
+constexpr std::string_view kSegmentMap = "1.2.840.10008.5.1.4.1.1.66.7";
 constexpr unsigned int kUndefinedLength = 0xffffffffu;
 constexpr int kMostFrames = 65'535;
 
@@ -163,22 +166,27 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
   if (file.plane.rows > kMostSide || file.plane.columns > kMostSide || file.bits_allocated > 64 ||
       file.plane.rows < 0 || file.plane.columns < 0 || file.bits_allocated < 0)
     return fault(malformed("bad-header", {"dicom-pixels-impossible", {quoted(file.path)}}));
+  const bool are_bits = file.bits_allocated == 1;  // of segments, one frame's behind another's
   const std::int64_t slice = file.plane.rows * file.plane.columns * file.bits_allocated / 8;
-  const std::int64_t needed = slice * file.frame_count;
+  const std::int64_t needed =
+      (file.plane.rows * file.plane.columns * file.bits_allocated * file.frame_count + 7) / 8;
   const bool compressed = parser->GetPixelDataVL() == kUndefinedLength;
   // some files misstate their frames: then the pixels tell
-  if (!compressed && needed > 0 && parser->GetPixelDataVL() >= needed + slice)
+  if (!compressed && !are_bits && needed > 0 && parser->GetPixelDataVL() >= needed + slice)
     return fault(malformed("bad-header", {"dicom-more-pixels-than-slices", {}}));
   const std::string kind = meta->Get(DC::ImageType).GetNumberOfValues() > 2
                                ? meta->Get(DC::ImageType).GetString(2)
                                : std::string();
   if (kind == "LOCALIZER") return fault(unsupported("localizer", {"dicom-scout", {}}));
-  if (!decodable(file.syntax)) return syntaxFault(file.syntax);
+  if (!decodable(file.syntax) ||
+      (are_bits && (codingOf(file.syntax) || file.syntax == kBigEndianSyntax)))
+    return syntaxFault(file.syntax);
   // pixels without a length are compressed, and the other way round
   if (compressed != codingOf(file.syntax).has_value())
     return fault(malformed("bad-header", {"dicom-pixels-stored-otherwise", {quoted(file.path)}}));
   if (file.plane.rows < 1 || file.plane.columns < 1 ||
-      (file.bits_allocated != 8 && file.bits_allocated != 16 && file.bits_allocated != 32))
+      (file.bits_allocated != 8 && file.bits_allocated != 16 && file.bits_allocated != 32 &&
+       !(are_bits && file.sop_class == kSegments)))
     return fault(unsupported("bad-header",
                              {"dicom-pixel-format",
                               {std::to_string(file.plane.columns), std::to_string(file.plane.rows),
@@ -193,39 +201,6 @@ std::optional<haptics::Error> pixelFault(const DicomFile& file, vtkDICOMMetaData
 }
 
 haptics::Error unplaced() { return fault(unsupported("bad-header", {"dicom-place-missing", {}})); }
-
-/// Fills in where the slice lies, or says why that is not known.
-std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file) {
-  std::optional<std::array<double, 3>> position;
-  std::optional<std::array<double, 6>> orientation;
-  std::optional<std::array<double, 2>> spacing;
-  const auto ofGroup = [&](vtkDICOMTag group, vtkDICOMTag tag) -> const vtkDICOMValue& {
-    return ofFrame(meta, file.frame, group, tag);
-  };
-  if (auto bad = readNumbers(
-          file, "position", ofGroup(DC::PlanePositionSequence, DC::ImagePositionPatient), position))
-    return bad;
-  if (auto bad = readNumbers(file, "direction",
-                             ofGroup(DC::PlaneOrientationSequence, DC::ImageOrientationPatient),
-                             orientation))
-    return bad;
-  if (auto bad = readNumbers(file, "pixel spacing",
-                             ofGroup(DC::PixelMeasuresSequence, DC::PixelSpacing), spacing))
-    return bad;
-  if (!position || !orientation || !spacing) return unplaced();
-  SlicePlane& plane = file.plane;
-  file.placed = true;
-  plane.position_mm = Vec3::Map(position->data());
-  plane.along_row = Vec3::Map(orientation->data());
-  plane.along_column = Vec3::Map(orientation->data() + 3);
-  plane.row_step_mm = spacing->front();
-  plane.column_step_mm = spacing->back();
-  // needed of a single slice only, so a number that is none is not stated
-  const auto thickness = numbersIn(ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness));
-  if (thickness && thickness->size() == 1 && thickness->front() > 0.0)
-    plane.thickness_mm = thickness->front();
-  return {};
-}
 
 std::optional<haptics::Error> readRescale(vtkDICOMMetaData* meta, DicomFile& file) {
   const auto transformation = [&](vtkDICOMTag tag) -> const vtkDICOMValue& {
@@ -347,24 +322,50 @@ std::optional<haptics::Error> bitsFault(const DicomFile& file, vtkDICOMMetaData*
   return fault(malformed("bad-header", {"dicom-pixels-impossible", {quoted(file.path)}}));
 }
 
-/// A parsed header.
-struct Header {
-  explicit Header(const std::string& path) {
-    errors->watch(parser);
-    errors->watch(meta);
-    meta->SetNumberOfInstances(1);
-    parser->SetMetaData(meta);
-    parser->SetFileName(path.c_str());
-    parser->Update();
-  }
-  bool isSound() const { return errors->errors() == 0 && parser->GetErrorCode() == 0; }
-
-  vtkNew<vtkDICOMMetaData> meta;
-  vtkNew<vtkDICOMParser> parser;
-  vtkNew<VtkErrors> errors;
-};
+bool isUnderstood(const DicomFile& file) {
+  return !file.series.empty() || !file.modality.empty() || file.plane.rows != 0;
+}
 
 }  // namespace
+
+std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file) {
+  std::optional<std::array<double, 3>> position;
+  std::optional<std::array<double, 6>> orientation;
+  std::optional<std::array<double, 2>> spacing;
+  const auto ofGroup = [&](vtkDICOMTag group, vtkDICOMTag tag) -> const vtkDICOMValue& {
+    return ofFrame(meta, file.frame, group, tag);
+  };
+  if (auto bad = readNumbers(
+          file, "position", ofGroup(DC::PlanePositionSequence, DC::ImagePositionPatient), position))
+    return bad;
+  if (auto bad = readNumbers(file, "direction",
+                             ofGroup(DC::PlaneOrientationSequence, DC::ImageOrientationPatient),
+                             orientation))
+    return bad;
+  if (auto bad = readNumbers(file, "pixel spacing",
+                             ofGroup(DC::PixelMeasuresSequence, DC::PixelSpacing), spacing))
+    return bad;
+  if (!position || !orientation || !spacing) return unplaced();
+  SlicePlane& plane = file.plane;
+  file.placed = true;
+  plane.position_mm = Vec3::Map(position->data());
+  plane.along_row = Vec3::Map(orientation->data());
+  plane.along_column = Vec3::Map(orientation->data() + 3);
+  plane.row_step_mm = spacing->front();
+  plane.column_step_mm = spacing->back();
+  // needed of a single slice only, so a number that is none is not stated
+  const auto thickness = numbersIn(ofGroup(DC::PixelMeasuresSequence, DC::SliceThickness));
+  if (thickness && thickness->size() == 1 && thickness->front() > 0.0)
+    plane.thickness_mm = thickness->front();
+  return {};
+}
+
+bool holdsStructures(const DicomFile& file) {
+  return file.sop_class == kSegments || file.sop_class == kSegmentMap ||
+         file.sop_class == kContours;
+}
+
+bool holdsContours(const DicomFile& file) { return file.sop_class == kContours; }
 
 bool looksLikeDicom(const Beginning& file) {
   // what vtk-dicom looks for, without opening the file once more
@@ -375,41 +376,12 @@ bool looksLikeDicom(const Beginning& file) {
          bareDataSetOf(file.bytes).has_value();
 }
 
-DicomHeader readDicomHeader(const Beginning& beginning) {
-  const CLocale numbers_with_points;
-  const std::filesystem::path& path = beginning.path;
-  const auto unreadable = [&](const haptics::Error& why) {
-    DicomFile file;
-    file.path = path;
-    file.fault = why;
-    return DicomHeader{.frames = {file}};
-  };
-  DicomStructure structure = structureOf(path, path);
-  const auto bare = bareDataSetOf(beginning.bytes);
-  std::optional<RewrittenFile> rewritten, sound_part;
-  if ((bare && bare->needsRewriting()) ||
-      (!structure.fault && structure.syntax == kDeflatedSyntax)) {
-    auto copy = RewrittenFile::of(path);
-    if (!copy) return unreadable(copy.error());
-    rewritten.emplace(std::move(*copy));
-    structure = structureOf(rewritten->path(), path);
-  }
-  std::string parsed = rewritten ? rewritten->path() : path.string();
-  if (structure.fault) {
-    auto copy = RewrittenFile::beginningOf(parsed, structure.sound_bytes);
-    if (!copy) return unreadable(*structure.fault);
-    sound_part.emplace(std::move(*copy));
-    parsed = sound_part->path();
-  }
-  const auto header = std::make_unique<Header>(parsed);
-  vtkDICOMMetaData* meta = header->meta;
-  vtkDICOMParser* parser = header->parser;
-
-  if (textOf(meta, DC::MediaStorageSOPClassUID) == kFolderIndex)
-    return {.is_folder_index = !structure.fault, .frames = {}};
+DicomFile describedBy(const std::filesystem::path& path, const ParsedDicom& parsed) {
+  vtkDICOMMetaData* meta = parsed.meta();
+  vtkDICOMParser* parser = parsed.parser();
   DicomFile file;
   file.path = path;
-  file.rewritten = rewritten.has_value();
+  file.rewritten = parsed.isRewritten();
   file.pixels_begin = static_cast<std::int64_t>(parser->GetFileOffset());
   file.series = textOf(meta, DC::SeriesInstanceUID);
   file.name = textOf(meta, DC::PatientName);
@@ -436,27 +408,39 @@ DicomHeader readDicomHeader(const Beginning& beginning) {
   readAttributes(meta, file);
 
   file.syntax = textOf(meta, DC::TransferSyntaxUID);
-  const bool understood = !file.series.empty() || !file.modality.empty() || file.plane.rows != 0;
-  // it only began like a data set
-  if (bare && !understood) return {};
-  if (structure.fault) {
-    file.fault = structure.fault;
-    placeSlice(meta, file);  // to know what it is a copy of
-    return {.frames = {file}};
-  }
-  if (!header->isSound()) {
+  if (parsed.structure().fault)
+    file.fault = parsed.structure().fault;
+  else if (!parsed.isSound())
     file.fault = fault(malformed("truncated", {"file-damaged", {quoted(path)}}));
-    placeSlice(meta, file);  // likewise
-    return {.frames = {file}};
-  }
-  if (!understood) {
+  else if (!isUnderstood(file))
     file.fault = fault(malformed("bad-header", {"header-unreadable", {quoted(path)}}));
+  else if (file.sop_class != kContours)
+    file.fault = readFrameCount(meta, file);
+  if (file.fault || file.sop_class == kContours) return file;
+  file.fault = bitsFault(file, meta);
+  if (auto pixels = pixelFault(file, meta, parser)) file.fault = std::move(pixels);
+  return file;
+}
+
+DicomHeader readDicomHeader(const Beginning& beginning) {
+  const CLocale numbers_with_points;
+  const std::filesystem::path& path = beginning.path;
+  const auto parsed = ParsedDicom::of(beginning);
+  if (!parsed) {
+    DicomFile file;
+    file.path = path;
+    file.fault = parsed.error();
     return {.frames = {file}};
   }
-  file.fault = readFrameCount(meta, file);
-  if (!file.fault) {
-    file.fault = bitsFault(file, meta);
-    if (auto pixels = pixelFault(file, meta, parser)) file.fault = std::move(pixels);
+  vtkDICOMMetaData* meta = (*parsed)->meta();
+  if (textOf(meta, DC::MediaStorageSOPClassUID) == kFolderIndex)
+    return {.is_folder_index = !(*parsed)->structure().fault, .frames = {}};
+  DicomFile file = describedBy(path, **parsed);
+  // it only began like a data set
+  if (bareDataSetOf(beginning.bytes) && !isUnderstood(file)) return {};
+  if (holdsStructures(file)) {
+    file.fault = fault(unsupported("no-pixels", {"dicom-structures", {quoted(path)}}));
+    return {.frames = {file}};
   }
   if (file.fault) {
     placeSlice(meta, file);  // to know what it is a copy of

@@ -14,7 +14,11 @@
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 
+class vtkDICOMMetaData;
+
 namespace datasets {
+
+class ParsedDicom;
 
 /// What slices of one stack have in common, beside their series. Compared, never shown. Empty where
 /// it is not stated.
@@ -63,14 +67,26 @@ struct DicomFile {
   std::optional<haptics::Error> fault;
 };
 
+/// Whether an object marks parts of a scan and is none itself: segments (binary, fractional or a
+/// label map), or contours.
+bool holdsStructures(const DicomFile& file);
+bool holdsContours(const DicomFile& file);
+
+/// What a file states as a whole, with a fault where the file, its pixels or their number cannot be
+/// read.
+DicomFile describedBy(const std::filesystem::path& path, const ParsedDicom& parsed);
+
+/// Fills in where the slice of `file.frame` lies, or says why that is not known.
+std::optional<haptics::Error> placeSlice(vtkDICOMMetaData* meta, DicomFile& file);
+
 /// Whether a file begins like DICOM: the mark after a preamble, or a first element that fits.
 bool looksLikeDicom(const Beginning& file);
 
 /// What the header of one file says.
 struct DicomHeader {
   bool is_folder_index = false;  ///< a sound DICOMDIR
-  /// An entry for each frame, or a single one with a fault. Empty for what is no image and no part
-  /// of a series: a folder's index, or what only begins like DICOM.
+  /// An entry for each frame, or a single one with a fault, as that of structures has. Empty for
+  /// what is no image and no part of a series: a folder's index, or what only begins like DICOM.
   std::vector<DicomFile> frames;
 };
 

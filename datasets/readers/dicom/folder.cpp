@@ -406,8 +406,22 @@ Expected<std::vector<DicomSeries>> seriesAmong(const std::vector<fs::path>& path
   return seriesAmong(std::move(*frames));
 }
 
+std::vector<StructuresFound> takeStructures(std::vector<DicomFile>& frames,
+                                            const fs::path& folder) {
+  std::vector<StructuresFound> found;
+  std::erase_if(frames, [&](const DicomFile& file) {
+    if (!holdsStructures(file)) return false;
+    using enum StructuresFound::Kind;
+    found.push_back({file.path, file.path.lexically_relative(folder).string(),
+                     holdsContours(file) ? Contours : Segments});
+    return true;
+  });
+  return found;
+}
+
 Expected<std::vector<DicomSeries>> seriesOf(const fs::path& path, DicomHeader header,
-                                            const ReadProgress& progress) {
+                                            const ReadProgress& progress,
+                                            std::vector<StructuresFound>* structures) {
   std::vector<DicomFile>& frames = header.frames;
   if (frames.empty()) return unsupported("no-pixels", {"dicom-index-or-no-image", {quoted(path)}});
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -418,6 +432,8 @@ Expected<std::vector<DicomSeries>> seriesOf(const fs::path& path, DicomHeader he
   auto headers = framesOf(*paths, frames, progress);
   if (!headers) return tl::unexpected(std::move(headers.error()));
   const DicomFile named = frames.front();
+  auto beside = takeStructures(*headers, folder);
+  if (structures != nullptr) *structures = std::move(beside);
   const auto isNamed = [&](const DicomFile& file) {
     return file.path.filename() == path.filename();
   };

@@ -42,10 +42,14 @@ haptics::Expected<std::vector<DicomSeries>> seriesAmong(
 
 /// Reads the series of one file from that file's folder: the volume that holds the file, or all
 /// volumes of which it holds frames. If several images lie at its place (for example in other
-/// encodings), the named file is used.
-haptics::Expected<std::vector<DicomSeries>> seriesOf(const std::filesystem::path& file,
-                                                     DicomHeader header,
-                                                     const ReadProgress& progress);
+/// encodings), the named file is used. Structures that lie beside it are added to `structures`.
+haptics::Expected<std::vector<DicomSeries>> seriesOf(
+    const std::filesystem::path& file, DicomHeader header, const ReadProgress& progress,
+    std::vector<StructuresFound>* structures = nullptr);
+
+/// Takes the objects that hold structures out of what was found in a folder or below.
+std::vector<StructuresFound> takeStructures(std::vector<DicomFile>& frames,
+                                            const std::filesystem::path& folder);
 
 /// The slice in the middle of the stack; of a series that makes none, in the order of the files. A
 /// series has at least one.

@@ -68,6 +68,7 @@ bool rescaleAs(const From* from, To* to, const Window& window, const DicomFile& 
 
 ScalarType storedTypeOf(const DicomFile& file) {
   switch (file.bits_allocated) {
+    case 1:
     case 8:
       return file.is_signed ? ScalarType::Int8 : ScalarType::UInt8;
     case 16:

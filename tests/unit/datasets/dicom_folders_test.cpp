@@ -35,6 +35,7 @@ using testing::element;
 using testing::encapsulated;
 using testing::number;
 using testing::reasonFor;
+using testing::sequence;
 using testing::voxelAt;
 using testing::Workshop;
 
@@ -179,14 +180,6 @@ TEST(DicomFolder, ATiltedSeriesIsStraightenedIfTheUserAgrees) {
         EXPECT_NEAR(voxelAt(*v, i, j, k), linear(p_mm), 1.01) << i << " " << j << " " << k;
       }
   EXPECT_GE(reached, 24 * 23 * 6);
-}
-
-std::string sequence(unsigned group, unsigned tag, const std::vector<std::string>& items) {
-  std::string content;
-  for (const std::string& item : items)
-    content += number(0xe000fffe, 4) + number(item.size(), 4) + item;
-  return number(group, 2) + number(tag, 2) + "SQ" + number(0, 2) + number(content.size(), 4) +
-         content;
 }
 
 // against the order of the file; in a private group, copies that are half a pixel off

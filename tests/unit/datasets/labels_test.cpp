@@ -3,8 +3,7 @@
 // is refused.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-#include <cmath>
+#include <atomic>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "datasets/labels/segments.h"
 #include "tests/support/sentence.h"
 #include "tests/support/turned_scan.h"
+#include "tests/unit/datasets/label_scans.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -21,61 +21,12 @@ namespace {
 using haptics::Grid;
 using haptics::Mat3;
 using haptics::Vec3;
-using testing::Workshop;
-
-/// Which of the eight octants about a place of the patient, 1 to 8; 0 outside a ball.
-std::int16_t octantAt(const Vec3& p_mm) {
-  const Vec3 by = p_mm - turned::placeOf_mm({4.3, 6.4, 8.7});
-  if (by.norm() > 16.0) return 0;
-  return std::int16_t(1 + (by.x() > 0.0) + 2 * (by.y() > 0.0) + 4 * (by.z() > 0.0));
-}
-
-haptics::Volume scanOn(const Grid& grid, bool orientation_known = true) {
-  auto voxels = haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16).value();
-  static_cast<std::int16_t*>(voxels.get())[0] = 1;
-  return haptics::makeVolume(grid, haptics::ScalarType::Int16, std::move(voxels),
-                             {.orientation_known = orientation_known})
-      .value();
-}
-
-/// Oblique, uneven, and larger than the box of turned_scan.h on some sides only.
-Grid obliqueGrid() {
-  Grid grid;
-  grid.dims = {31, 29, 27};
-  grid.spacing = 1e-3 * Vec3(0.83, 1.21, 1.37);
-  grid.direction = Eigen::AngleAxisd{0.6, Vec3{0.3, -0.8, 0.5}.normalized()}.toRotationMatrix();
-  grid.origin = 1e-3 * turned::placeOf_mm({-0.7, 1.2, 2.3});
-  return grid;
-}
-
-/// The number of each voxel's structure counted from 1, of a map without overlaps; 0: none.
-std::vector<int> numbersIn(const LabelMap& map) {
-  std::vector<int> numbers;
-  for (std::int64_t n = 0; n < map.grid().voxelCount(); ++n) {
-    const auto& set = map.structuresOf(map.codes()[n]);
-    EXPECT_LE(set.size(), 1U);
-    numbers.push_back(set.empty() ? 0 : set.front() + 1);
-  }
-  return numbers;
-}
+using namespace testing;
 
 TEST(Labels, OfEveryOrientationLieWhereThePatientHasThem) {
   const haptics::Volume scan = scanOn(obliqueGrid());
-  std::vector<int> expected;
   std::map<int, std::int64_t> counted;
-  for (std::int64_t k = 0; k < scan.grid.dims[2]; ++k)
-    for (std::int64_t j = 0; j < scan.grid.dims[1]; ++j)
-      for (std::int64_t i = 0; i < scan.grid.dims[0]; ++i) {
-        const Vec3 p_mm = 1e3 * scan.grid.worldOf({double(i), double(j), double(k)});
-        const Vec3 count = (p_mm - turned::kFirst_mm) / turned::kStep_mm;
-        const Vec3 nearest = count.array().round();
-        const bool within =
-            (nearest.array() >= 0.0).all() &&
-            (nearest.array() < Vec3(turned::kSize[0], turned::kSize[1], turned::kSize[2]).array())
-                .all();
-        expected.push_back(within ? octantAt(turned::placeOf_mm(nearest)) : 0);
-        ++counted[expected.back()];
-      }
+  const std::vector<int> expected = octantsOn(scan.grid, counted);
   ASSERT_EQ(counted.size(), 9U);  // all octants, and none
   int files = 0;
   for (const Mat3& axes : turned::orientations())
@@ -115,22 +66,11 @@ std::string segOf(const std::string& keys, const std::vector<std::vector<int>>& 
   return text;
 }
 
-Grid smallGrid() {
-  Grid grid;
-  grid.dims = {4, 3, 2};
-  grid.spacing = Vec3::Constant(1e-3);
-  return grid;
-}
-
 /// 24 voxels of which some have a label.
 std::vector<int> marked(std::initializer_list<int> at, int label = 1) {
   std::vector<int> voxels(24, 0);
   for (const int n : at) voxels[std::size_t(n)] = label;
   return voxels;
-}
-
-std::vector<std::uint8_t> setAt(const LabelMap& map, int n) {
-  return map.structuresOf(map.codes()[n]);
 }
 
 TEST(Labels, SegmentsOverlapInLayersAndKeepNamesAndColours) {
@@ -204,10 +144,6 @@ TEST(Labels, WithoutNamesEachNumberIsAStructure) {
   EXPECT_EQ(setAt(*map, 0), std::vector<std::uint8_t>{1});
 }
 
-std::string reasonOf(const haptics::Expected<LabelMap>& map) {
-  return map ? "" : map.error().reason;
-}
-
 TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
   Workshop workshop;
   const haptics::Volume scan = scanOn(smallGrid());
@@ -256,7 +192,7 @@ TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
     EXPECT_EQ(reasonFor(made("float", voxels), scan), "not-labels") << odd;
   }
   EXPECT_EQ(reasonFor("no volume", scan), "bad-header");
-  EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.stl", "solid"), scan)), "not-labels");
+  EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.off", "solid"), scan)), "not-labels");
   EXPECT_EQ(reasonOf(readLabels(workshop.write("solid.stl", "solid").parent_path(), scan)),
             "not-labels");
   EXPECT_EQ(reasonOf(readLabels(workshop.write("x", "").parent_path() / "none.nrrd", scan)),
@@ -265,6 +201,92 @@ TEST(Labels, WhatIsNoneOrDoesNotBelongToTheScanIsRefusedByName) {
       reasonFor(segOf("Segment0_ID:=a\nSegment0_LabelValue:=1\nSegment0_Layer:=1\n", {marked({1})}),
                 scan),
       "bad-header");
+}
+
+TEST(Labels, ATableNamesNumbers) {
+  Workshop workshop;
+  auto voxels = marked({0, 1}, 17);
+  voxels[9] = 3;
+  voxels[10] = 5;
+  const auto labels = workshop.write("plain.nrrd", segOf("", {voxels}));
+  // each from its own program's manual, with a name that has a blank where it may have one
+  const std::map<std::string, std::string> tables{
+      {"a.ctbl",
+       "# Color table file C:\\x.ctbl\n# 3 values\n0 Background 0 0 0 0\n3 facial nerve 255 51 0 "
+       "255\n"
+       "17 sinus 0 102 255 255\n"},
+      {"b.label",
+       "################\n# ITK-SnAP Label Description File\n# IDX   -R-  -G-  -B-  -A--  VIS MSH "
+       " LABEL\n    0     0    0    0        0  0  0    \"Clear Label\"\n    3   255   51    0     "
+       " "
+       "  1  1  1    \"facial nerve\"\n   17     0  102  255     0.5  0  1    \"sinus\"\n"},
+      {"LUT.txt",
+       "\xEF\xBB\xBF#No. Label Name:   R   G   B   A\r\n\r\n0   Unknown    0   0   0   0\r\n3   "
+       "facial "
+       "nerve   255 51  0 0\r\n17  sinus   0 102 255  0\r\n"}};
+  for (const auto& [name, text] : tables) {
+    const auto map =
+        readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.write(name, text)});
+    ASSERT_TRUE(map) << sentence(map.error());
+    ASSERT_EQ(map->structures().size(), 3U);
+    EXPECT_EQ(map->structures()[0].name, "facial nerve") << name;
+    EXPECT_EQ(map->structures()[0].colour, (std::array{1.0, 0.2, 0.0})) << name;
+    EXPECT_EQ(map->structures()[1].name, "") << name;  // 5
+    EXPECT_EQ(map->structures()[2].name, "sinus") << name;
+    EXPECT_EQ(map->structures()[2].colour, (std::array{0.0, 0.4, 1.0})) << name;
+    EXPECT_EQ(map->structures()[2].voxels, 2) << name;
+  }
+  // what the file names itself keeps its name
+  const auto named = workshop.write(
+      "named.seg.nrrd", segOf("Segment0_Name:=canal\nSegment0_LabelValue:=3\n", {voxels}));
+  const auto map = readLabels(named, scanOn(smallGrid()), {},
+                              {.table = workshop.write("c.ctbl", tables.at("a.ctbl"))});
+  ASSERT_TRUE(map) << sentence(map.error());
+  EXPECT_EQ(map->structures()[0].name, "canal");
+  EXPECT_EQ(map->structures()[2].name, "sinus");
+}
+
+TEST(Labels, ATableThatIsNoneIsRefusedByItsLine) {
+  Workshop workshop;
+  const auto labels = workshop.write("plain.nrrd", segOf("", {marked({1})}));
+  const auto said = [&](const std::string& text) {
+    const auto map =
+        readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.write("t.ctbl", text)});
+    return map ? "" : map.error().reason + ": " + sentence(map.error());
+  };
+  for (const char* line :
+       {"x", "1 nerve", "1 nerve 255 0 0", "1.5 nerve 255 0 0 255", "-1 nerve 255 0 0 255",
+        "1 nerve 256 0 0 255", "1 nerve 255 -1 0 255", "1 nerve 255 0 nan 255",
+        "nerve 1 255 0 0 255", "1 255 0 0 255 1 \"nerve\"", "1 \"nerve 255 0 0 255",
+        "0x1 nerve 255 0 0 255", "1 nerve 255,0,0,255", "\x1B\x01\x02"}) {
+    const std::string sentence = said("# a\n0 none 0 0 0 0\n" + std::string(line) + "\n");
+    EXPECT_TRUE(sentence.starts_with("bad-header") && sentence.find("Line 3 of") != sentence.npos)
+        << line << " -> " << sentence;
+  }
+  EXPECT_TRUE(
+      said("1 a 0 0 0 0\n2 b 0 0 0 0\n1 c 0 0 0 0").find("Line 3 of \"t.ctbl\" names a number") !=
+      std::string::npos);
+  EXPECT_TRUE(said("# nothing\n").starts_with("bad-header"));
+  EXPECT_TRUE(said(std::string(1'100'000, '#')).starts_with("too-large"));
+  EXPECT_EQ(reasonOf(readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.folder()})),
+            "unreadable");
+}
+
+TEST(Labels, AreCancelledWhileTheyArePut) {
+  Workshop workshop;
+  const auto path = workshop.write("plain.nrrd", segOf("", {marked({1})}));
+  std::atomic<bool> cancel = false;
+  double last = 0.0;
+  const auto map = readLabels(path, scanOn(smallGrid()),
+                              {[&](double f) {
+                                 EXPECT_GE(f, last);
+                                 last = f;
+                                 cancel = f > 0.75;
+                               },
+                               &cancel});
+  ASSERT_FALSE(map);
+  EXPECT_EQ(map.error().kind, haptics::Error::Kind::Cancelled);
+  EXPECT_LT(last, 0.9);
 }
 
 TEST(Labels, ANameIsPlainBoundedText) {
