@@ -28,7 +28,8 @@ constexpr int kPlace = Qt::UserRole;
 constexpr std::pair<const char*, const char*> kPages[] = {
     {"surfaceSection", "isovalue"},        {"toolSection", "tools"},
     {"performanceSection", "performance"}, {"editSection", "edits"},
-    {"marksSection", "measures"},          {"deviceSection", "devices"},
+    {"marksSection", "measures"},          {"structuresSection", "structures"},
+    {"deviceSection", "devices"},
     {"recordingSection", "recording"},     {"replayBar", "recording"},
     {"startPage", "first-touch"},          {"views", "views"},
     {"preferencesWindow", "preferences"},  {"series", "opening"}};
