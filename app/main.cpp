@@ -112,7 +112,7 @@ int run(int argc, char** argv) {
     for (const std::string& word : words) read.push_back(word.c_str());
     cli.parse(static_cast<int>(read.size()), read.data());
     if (*labels_given && !*path_given && !*phantom_given)
-      throw CLI::RequiredError("--labels requires a scan");
+      throw CLI::RequiresError("--labels", "path or --phantom");
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : kUsage;
   }

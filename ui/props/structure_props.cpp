@@ -2,6 +2,7 @@
 #include "ui/props/structure_props.h"
 
 #include <vtkActor.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>

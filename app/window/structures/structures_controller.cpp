@@ -12,6 +12,7 @@
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/segments.h"
 #include "datasets/readers/volume_header.h"
+#include "datasets/readers/volume_reader.h"
 #include "ui/panels/structures_panel.h"
 #include "ui/views/volume_view.h"
 
