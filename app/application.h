@@ -36,7 +36,7 @@ struct Loaded;
 
 /// The options of the command line.
 struct Arguments {
-  LoadRequest load = {};   ///< default: none, an empty window
+  LoadRequest load = {};              ///< default: none, an empty window
   std::filesystem::path labels = {};  ///< structures of the first scan; empty: none
   QStringList paths = {};  ///< files or folders to open, instead of load.path; empty: none
   std::string hand = "mouse";

@@ -24,7 +24,13 @@ namespace ui {
 namespace {
 
 // a line is a structure, and has its number; what is known while touching comes behind the name
-enum StructureColumn { StructureVisible, StructureColour, StructureName, StructureOpacity, kStructureColumns };
+enum StructureColumn {
+  StructureVisible,
+  StructureColour,
+  StructureName,
+  StructureOpacity,
+  kStructureColumns
+};
 
 QTableWidgetItem& cellOf(QTableWidget& list, int row, int column) {
   QTableWidgetItem* item = list.item(row, column);
@@ -64,15 +70,15 @@ StructuresPanel::StructuresPanel(QWidget* parent)
       search_(new QLineEdit),
       list_(new QTableWidget),
       parts_(new QWidget),
-      go_(new QPushButton(tr("&Go to"))),
-      alone_(new QPushButton(tr("Onl&y this"))),
-      rename_(new QPushButton(tr("&Rename"))),
-      colour_(new QPushButton(tr("&Colour…"))),
+      go_(new QPushButton(tr("Go to"))),
+      alone_(new QPushButton(tr("Only this"))),
+      rename_(new QPushButton(tr("Rename"))),
+      colour_(new QPushButton(tr("Colour…"))),
       opacity_(new NumberBox),
-      through_(new QCheckBox(tr("&Through the bone"))),
-      filled_(new QCheckBox(tr("&Filled in slices"))),
-      open_(new QPushButton(tr("&Open…"))),
-      close_(new QPushButton(tr("Clo&se"))) {
+      through_(new QCheckBox(tr("Through the bone"))),
+      filled_(new QCheckBox(tr("Filled in slices"))),
+      open_(new QPushButton(tr("Open…"))),
+      close_(new QPushButton(tr("Close"))) {
   search_->setObjectName("structureSearch");
   search_->setAccessibleName(tr("Search the structures"));
   search_->setPlaceholderText(tr("Search"));
@@ -180,7 +186,7 @@ QWidget* StructuresPanel::buildAll() {
   auto* grid = new QGridLayout(part);
   grid->setContentsMargins(0, 0, 0, 0);
   for (const bool on : {true, false}) {
-    auto* all = new QPushButton(on ? tr("All o&n") : tr("All o&ff"));
+    auto* all = new QPushButton(on ? tr("All on") : tr("All off"));
     all->setObjectName(on ? "structuresOn" : "structuresOff");
     all->setToolTip(on ? tr("Shows all structures") : tr("Hides all structures"));
     connect(all, &QPushButton::clicked, this, [this, on] { emit allWanted(on); });
@@ -253,13 +259,13 @@ int StructuresPanel::chosen() const {
 
 void StructuresPanel::showChosen() {
   const int number = chosen();
-  for (QWidget* control : {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_),
-                           static_cast<QWidget*>(rename_), static_cast<QWidget*>(colour_),
-                           static_cast<QWidget*>(opacity_)})
+  for (QWidget* control :
+       {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_), static_cast<QWidget*>(rename_),
+        static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_)})
     control->setEnabled(number >= 0);
   const QSignalBlocker quiet(opacity_);
-  opacity_->setValue(
-      number < 0 ? 100.0 : 100.0 * shown_.looks[static_cast<std::size_t>(number)].opacity);
+  opacity_->setValue(number < 0 ? 100.0
+                                : 100.0 * shown_.looks[static_cast<std::size_t>(number)].opacity);
 }
 
 void StructuresPanel::askColour(int number) {

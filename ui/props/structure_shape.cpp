@@ -78,7 +78,8 @@ StructureShape shapeOf(const StructureMap& map, std::uint8_t number, const hapti
   VoxelIndex size{}, blocks{};
   double voxels = 1.0;
   for (std::size_t a = 0; a < 3; ++a) voxels *= double(size[a] = box.end[a] - box.first[a]);
-  const auto factor = std::max<std::int64_t>(1, std::int64_t(std::ceil(std::cbrt(voxels / kMostVoxels))));
+  const auto factor =
+      std::max<std::int64_t>(1, std::int64_t(std::ceil(std::cbrt(voxels / kMostVoxels))));
 
   // how much of each block belongs to it, with a rim of nothing, so that it is closed
   vtkNew<vtkImageData> mask;
@@ -87,8 +88,9 @@ StructureShape shapeOf(const StructureMap& map, std::uint8_t number, const hapti
     const auto axis = static_cast<Eigen::Index>(a);
     blocks[a] = (size[a] + factor - 1) / factor + 2;
     block_mm[axis] = grid.spacing[axis] * kMmPerM * double(factor);
-    origin_mm[axis] = (double(box.first[a]) + 0.5 * double(factor - 1)) * grid.spacing[axis] *
-                          kMmPerM - block_mm[axis];
+    origin_mm[axis] =
+        (double(box.first[a]) + 0.5 * double(factor - 1)) * grid.spacing[axis] * kMmPerM -
+        block_mm[axis];
   }
   mask->SetDimensions(int(blocks[0]), int(blocks[1]), int(blocks[2]));
   mask->SetSpacing(block_mm.data());

@@ -55,15 +55,14 @@ void StructureCut::cut(const StructureMap& map, const PlaneAxes& axes,
   const int w = size.width(), h = size.height();
   codes_.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), 0);
   const haptics::Grid& grid = map.grid;
-  const Eigen::Vector3d step =
-      (grid.direction.transpose() * axes.right * (mm_per_pixel / kMmPerM))
-          .cwiseQuotient(grid.spacing);
+  const Eigen::Vector3d step = (grid.direction.transpose() * axes.right * (mm_per_pixel / kMmPerM))
+                                   .cwiseQuotient(grid.spacing);
   std::uint8_t* code = codes_.data();
   for (int y = 0; y < h; ++y) {
-    const Eigen::Vector3d first = grid.indexOf(
-        (centre_W_mm + (axes.up * (0.5 * (h - 1) - y) - axes.right * (0.5 * (w - 1))) *
-                           mm_per_pixel) /
-        kMmPerM);
+    const Eigen::Vector3d first =
+        grid.indexOf((centre_W_mm + (axes.up * (0.5 * (h - 1) - y) - axes.right * (0.5 * (w - 1))) *
+                                        mm_per_pixel) /
+                     kMmPerM);
     for (int x = 0; x < w; ++x, ++code)
       if (const auto voxel = voxelAt(grid, first + step * x))
         *code = map.codes[static_cast<std::ptrdiff_t>(*voxel)];
@@ -99,7 +98,8 @@ QImage StructureCut::picture(const Structures& shown, int line) const {
       // what ends within the width of the line has its outline here
       std::bitset<256> ends;
       for (int by = 1; by <= line; ++by)
-        for (const std::uint8_t beside : {at(x - by, y), at(x + by, y), at(x, y - by), at(x, y + by)})
+        for (const std::uint8_t beside :
+             {at(x - by, y), at(x + by, y), at(x, y - by), at(x, y + by)})
           if (beside != code) ends |= shown_in[code] & ~shown_in[beside];
       if (ends.none()) continue;
       for (const std::uint8_t number : shown.map->sets[code])

@@ -188,8 +188,8 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   // behind the value where all of it fits; else below it, in place of the position
   const QFontMetrics plain_metrics(plain);
   const QString both = readout.value + QStringLiteral("   ") + readout.structures;
-  const bool beside_value = !readout.structures.isEmpty() &&
-                            plain_metrics.horizontalAdvance(both) <= foot.roomAtRight();
+  const bool beside_value =
+      !readout.structures.isEmpty() && plain_metrics.horizontalAdvance(both) <= foot.roomAtRight();
   foot.place(beside_value ? both : readout.value, Right, ink);
   const double mm =
       rulerLength_mm(std::min(kRulerShare * picture.width(), kLongestRuler) * mm_per_pixel);

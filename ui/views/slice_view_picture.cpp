@@ -18,7 +18,7 @@ namespace {
 constexpr double kTipRing_px = 4.0;       // radius of what stands for a tool beside the plane
 constexpr double kFarthestTip_mm = 30.0;  // from the plane: beyond it nothing is drawn
 constexpr double kStructureLine_px = 1.5;
-constexpr double kCrossGap = 8.0;         // px, around the crosshair's middle
+constexpr double kCrossGap = 8.0;  // px, around the crosshair's middle
 
 QString shortNameOf(Plane plane) {
   switch (plane) {

@@ -32,19 +32,19 @@ namespace {
 
 // of a surface in motion, on software graphics
 constexpr std::int64_t kMovingTriangles = 80'000;
-constexpr double kOutline_px = 1.5;  // of structures that are seen through bone
+constexpr double kOutline_px = 1.5;   // of structures that are seen through bone
 constexpr int kStillMs = 400;         // no movement for this long is rest
 constexpr int kPointedMs = 100;       // between two looks at what is under the pointer
 constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
-constexpr double kBehindTool_mm = 120.0;                 // of the eye, looking along the tool
+constexpr double kBehindTool_mm = 120.0;  // of the eye, looking along the tool
 // of a look at a structure
 constexpr int kDirections = 60;
-constexpr double kTurnCost_mm = 4.0;      // of solid, for a radian that the view turns
-constexpr double kOutOfBody_mm = 30.0;    // of the eye
-constexpr double kSteep = 0.9;            // beyond that the front is above in the picture
+constexpr double kTurnCost_mm = 4.0;    // of solid, for a radian that the view turns
+constexpr double kOutOfBody_mm = 30.0;  // of the eye
+constexpr double kSteep = 0.9;          // beyond that the front is above in the picture
 constexpr double kNearest_mm = 60.0, kFarthest_mm = 200.0;  // of the eye from a small structure
 constexpr double kNearInSizes = 4.0, kFarInSizes = 20.0;    // and in sizes of a large one
-constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;  // px, at the edges, where letters stand
+constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;     // px, at the edges, where letters stand
 
 using style::kViewGround;
 
@@ -416,13 +416,13 @@ void VolumeView::lookAtPlaces(const std::vector<Eigen::Vector3d>& places_W_mm) {
   const Eigen::AlignedBox3d body = surface_.bounds_mm();
   double outside_mm = 0.0;
   for (int n = 0; n < 8; ++n)
-    outside_mm = std::max(
-        outside_mm,
-        best.dot(body.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n)) - middle));
-  const double distance_mm = std::max(
-      outside_mm + kOutOfBody_mm,
-      std::clamp(camera()->GetDistance(), std::max(kNearest_mm, kNearInSizes * size_mm),
-                 std::max(kFarthest_mm, kFarInSizes * size_mm)));
+    outside_mm =
+        std::max(outside_mm,
+                 best.dot(body.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n)) - middle));
+  const double distance_mm =
+      std::max(outside_mm + kOutOfBody_mm,
+               std::clamp(camera()->GetDistance(), std::max(kNearest_mm, kNearInSizes * size_mm),
+                          std::max(kFarthest_mm, kFarInSizes * size_mm)));
   const Eigen::Vector3d up = std::abs(best.z()) > kSteep
                                  ? Eigen::Vector3d{-Eigen::Vector3d::UnitY()}
                                  : Eigen::Vector3d{Eigen::Vector3d::UnitZ()};
@@ -509,8 +509,7 @@ void VolumeView::tellPointed() {
     words =
         touchedWords(touched_.behind(met->p_W), QString::fromStdString(picture().volume->unit)) +
         QStringLiteral("   ") + positionWords(met->p_W * kMmPerM, orientation_known_);
-  if (const QString names = looks ? structuresUnder(last_mouse_, met) : QString{};
-      !names.isEmpty())
+  if (const QString names = looks ? structuresUnder(last_mouse_, met) : QString{}; !names.isEmpty())
     words += (words.isEmpty() ? QString{} : QStringLiteral("   ")) + names;
   emit pointedChanged(words);
 }
@@ -531,8 +530,7 @@ QString VolumeView::structuresUnder(QPointF at, const std::optional<SurfacePlace
   };
   // before the surface; else what is touched there, half a voxel behind it; else seen through it
   QString names = firstShown(std::max(0.0, far_mm - box_mm_.diagonal().norm()), met_mm);
-  if (names.isEmpty() && met)
-    names = shown.namesAt(met->p_W * kMmPerM - met->normal_W * step_mm);
+  if (names.isEmpty() && met) names = shown.namesAt(met->p_W * kMmPerM - met->normal_W * step_mm);
   if (names.isEmpty() && met && shown.through) names = firstShown(met_mm, far_mm);
   return names;
 }

@@ -31,9 +31,9 @@ class ThroughPass;
 class VeilPass;
 
 /// The 3-D view: isosurface, a second surface as a veil, structures, proxy, device, contacts and
-/// orientation, in W, millimetres. Keys and mouse are in ui/controls/bindings.h. The mouse is a hand
-/// in a mode of its own, and wherever it takes hold of the tool that is drawn. C and H are released
-/// when the view loses the focus.
+/// orientation, in W, millimetres. Keys and mouse are in ui/controls/bindings.h. The mouse is a
+/// hand in a mode of its own, and wherever it takes hold of the tool that is drawn. C and H are
+/// released when the view loses the focus.
 class VolumeView : public Viewport, public Spoken {
   Q_OBJECT
  public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QList>
 #include <QAction>
+#include <QList>
 #include <QObject>
 #include <QString>
 #include <utility>

@@ -58,7 +58,7 @@ StructuresController::StructuresController(ui::Views& views, ui::Messages& messa
       shared_(shared),
       panel_(new ui::StructuresPanel),
       reader_([this](double fraction) { loading_.advance(fraction); }) {
-  panels.add(panel_, tr("Structures"), tr("St&ructures"), "structuresSection", ui::Tab::Scan);
+  panels.add(panel_, tr("Structures"), tr("Structures"), "structuresSection", ui::Tab::Scan);
   connect(&menus, &ui::Menus::structuresWanted, this,
           [this](const QString& path) { open(path.toStdString()); });
   connect(&loading, &ui::Loading::cancelWanted, this, [this] { reader_.cancel(); });
@@ -122,8 +122,8 @@ void StructuresController::sort(const QStringList& paths) {
   const std::filesystem::path path = paths.first().toStdString();
   // what is asked about the file waits for no disk here
   sorter_.start(
-      [path, scan = scanOf(shared_.shown->volume()), place = shared_.shown->place](
-          const background::Watch&) -> haptics::Expected<ui::OpenedAs> {
+      [path, scan = scanOf(shared_.shown->volume()),
+       place = shared_.shown->place](const background::Watch&) -> haptics::Expected<ui::OpenedAs> {
         return kindOf(path, *scan, place);
       },
       [this, paths, path](haptics::Expected<ui::OpenedAs> kind) {
@@ -137,11 +137,13 @@ void StructuresController::sort(const QStringList& paths) {
 
 void StructuresController::open(const std::filesystem::path& path) {
   if (!shared_.shown)
-    return messages_.showMessage(tr("There is no scan yet; open the scan of the structures first."));
+    return messages_.showMessage(
+        tr("There is no scan yet; open the scan of the structures first."));
   messages_.clear();
   loading_.begin(tr("Reading the structures"));
   reader_.start(
-      [path, scan = scanOf(shared_.shown->volume())](const background::Watch& watch) -> haptics::Expected<Read> {
+      [path, scan = scanOf(shared_.shown->volume())](
+          const background::Watch& watch) -> haptics::Expected<Read> {
         auto map = datasets::readLabels(
             path, *scan,
             {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel});
@@ -184,8 +186,9 @@ void StructuresController::makeShapes(std::vector<haptics::VoxelBox> boxes) {
       [this, map = shown_.map,
        boxes = std::move(boxes)](const background::Watch& watch) -> haptics::Expected<bool> {
         background::goLast();  // an edit or another scan comes first
-        const std::int64_t most = std::clamp(kAllTriangles / static_cast<std::int64_t>(boxes.size()),
-                                             kLeastTriangles, kMostTriangles);
+        const std::int64_t most =
+            std::clamp(kAllTriangles / static_cast<std::int64_t>(boxes.size()), kLeastTriangles,
+                       kMostTriangles);
         for (std::size_t n = 0; n < boxes.size() && !watch.cancelled(); ++n) {
           ui::StructureShape shape =
               ui::shapeOf(*map, static_cast<std::uint8_t>(n), boxes[n], most, watch.cancel);

@@ -74,7 +74,8 @@ class StructuresController : public QObject {
   ui::StructuresPanel* panel_;
   std::weak_ptr<const haptics::Volume> scan_;  ///< on view
   ui::Structures shown_;
-  std::vector<std::vector<Eigen::Vector3d>> places_mm_;  ///< of each structure; empty: not yet known
+  std::vector<std::vector<Eigen::Vector3d>>
+      places_mm_;  ///< of each structure; empty: not yet known
   background::Task<Read> reader_;
   background::Task<bool> maker_;  ///< of shapes
   background::Task<ui::OpenedAs> sorter_;

@@ -72,12 +72,13 @@ void write(const QString& path, const haptics::Grid& grid, const char* type,
   text += "\nspace directions:";
   for (int a = 0; a < 3; ++a)
     text += " " + vector(grid.direction.col(a) * grid.spacing[a] * ui::kMmPerM);
-  text += "\nspace origin: " + vector(grid.origin * ui::kMmPerM) + "\nencoding: raw\n" + keys + "\n";
+  text +=
+      "\nspace origin: " + vector(grid.origin * ui::kMmPerM) + "\nencoding: raw\n" + keys + "\n";
   for (std::int64_t k = 0; k < grid.dims[2]; ++k)
     for (std::int64_t j = 0; j < grid.dims[1]; ++j)
       for (std::int64_t i = 0; i < grid.dims[0]; ++i) {
-        const auto value = static_cast<T>(formula(
-            grid.worldOf({double(i), double(j), double(k)}) * ui::kMmPerM));
+        const auto value =
+            static_cast<T>(formula(grid.worldOf({double(i), double(j), double(k)}) * ui::kMmPerM));
         text.append(reinterpret_cast<const char*>(&value), sizeof value);
       }
   QFile file(path);
@@ -100,7 +101,6 @@ bool near(QColor c, QColor wanted) {
          12;
 }
 bool isNerve(QColor c) { return near(c, Qt::magenta); }
-bool isCanal(QColor c) { return near(c, Qt::cyan); }
 /// Lit, and behind the breath of a colour between outlines.
 bool isNerveInSpace(QColor c) {
   return c.red() > 70 && c.blue() > 70 && c.green() < 0.6 * c.red() && c.green() < 0.6 * c.blue();
@@ -434,7 +434,8 @@ TEST_F(Structures, ADropShowsThemAndAsksWhereTheFileDoesNotTell) {
   emit window().dropped({path("plain.nrrd")});
   EXPECT_TRUE(waitFor([&] { return scans.count() == 1; }));
   // another grid is another scan
-  write<std::int16_t>(path("other.nrrd"), gridOf({30, 30, 30}, 1e-3, mirrored), "short", "", boneAt);
+  write<std::int16_t>(path("other.nrrd"), gridOf({30, 30, 30}, 1e-3, mirrored), "short", "",
+                      boneAt);
   emit window().dropped({path("other.nrrd")});
   EXPECT_TRUE(waitFor([&] { return scans.count() == 2; }));
   emit window().dropped({path("scan.nrrd"), path("other.nrrd")});
