@@ -230,7 +230,6 @@ void StructuresPanel::show(const Structures& structures) {
   if (others) {
     list_->setRowCount(static_cast<int>(structures.looks.size()));
     list_->clearSelection();
-    search_->clear();
   }
   for (int row = 0; row < list_->rowCount(); ++row) {
     const auto number = static_cast<std::size_t>(row);
@@ -238,6 +237,7 @@ void StructuresPanel::show(const Structures& structures) {
       showLook(*list_, row, structures.looks[number]);
   }
   shown_ = structures;
+  if (others) search_->clear();
   through_->setChecked(structures.through);
   filled_->setChecked(structures.filled);
   parts_->setVisible(any);

@@ -12,7 +12,7 @@ namespace ui {
 namespace {
 
 constexpr double kFill = 0.45;  // of an opaque structure's fill: the anatomy is seen through it
-constexpr qsizetype kMostNames = 3;
+constexpr qsizetype kMostNames = 3, kLongestShown = 40;  // under the pointer
 
 /// The place of a voxel in memory; none: it lies beyond the grid.
 std::optional<std::size_t> voxelAt(const haptics::Grid& grid, const Eigen::Vector3d& index) {
@@ -39,7 +39,10 @@ QString Structures::namesAt(const Eigen::Vector3d& p_W_mm) const {
 
 QString Structures::namesOf(std::uint8_t code) const {
   QStringList names;
-  for (const std::uint8_t number : map->sets[code]) names << looks[number].name;
+  for (const std::uint8_t number : map->sets[code]) {
+    const QString& name = looks[number].name;
+    names << (name.size() > kLongestShown ? name.first(kLongestShown) + QChar(0x2026) : name);
+  }
   if (names.size() > kMostNames) names = names.first(kMostNames) << QStringLiteral("…");
   return names.join(QStringLiteral(", "));
 }

@@ -364,6 +364,33 @@ TEST_F(Structures, AreNamedUnderThePointer) {
   EXPECT_TRUE(waitFor([&] { return !pointed.contains("Canal"); })) << pointed.toStdString();
 }
 
+TEST_F(Structures, HaveNamesThatAreCutWhereThereIsNoRoom) {
+  for (const int width : {150, 180, 240, 320, 600}) {
+    const ui::SliceReadout said{.name = "Axial",
+                                .short_name = "Ax.",
+                                .place = "214 / 512   z 177.2 mm",
+                                .grey = "W 2000  L 500",
+                                .value = "1480 HU",
+                                .structures = "Canal of the facial nerve, temporal bone",
+                                .position = "LPS 102.4, 113.5, 108.2 mm",
+                                .letters = {"R", "L", "A", "P"}};
+    const QRect widget(0, 0, width, 200), picture = ui::pictureIn(widget, false);
+    const auto layout = ui::layOut(said, QApplication::font(), widget, picture, 40, 0.5);
+    bool value = false, named = false;
+    for (std::size_t n = 0; n < layout.texts.size(); ++n) {
+      const ui::ReadoutText& text = layout.texts[n];
+      value = value || text.text.startsWith("1480 HU");
+      named = named || text.text.contains("Cana");
+      EXPECT_TRUE(widget.contains(text.box) && !picture.intersects(text.box)) << width;
+      for (std::size_t other = 0; other < n; ++other)
+        EXPECT_FALSE(layout.texts[other].box.intersects(text.box))
+            << width << ": " << text.text.toStdString();
+    }
+    EXPECT_TRUE(value || width < 240) << width;
+    EXPECT_TRUE(named || width < 180) << width;
+  }
+}
+
 TEST_F(Structures, ARefusedFileLeavesWhatWasThereAndAnotherScanTakesItAway) {
   start();
   QSignalSpy refused(&structures(), &app::StructuresController::refused);
