@@ -22,6 +22,7 @@
 #include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/recording_controller.h"
 #include "app/window/sessions/replay_controller.h"
+#include "app/window/structures/structures_controller.h"
 #include "app/window/touch/hand_controller.h"
 #include "app/window/touch/isosurface_controller.h"
 #include "app/window/touch/measurement_controller.h"
@@ -70,6 +71,8 @@ class Application::Parts : public QObject {
   MeasurementController measurement{window.panels(), shared};
   MarksController marks{window.views(), window.menus(),  window.panels(),
                         window.bar(),   window.escape(), shared};
+  StructuresController structures{window.views(), window.messages(), window.loading(),
+                                  window.menus(), window.panels(),   shared};
   ViewFileController view_file;
   JournalController journal;
   RecordingController recording;
@@ -133,6 +136,7 @@ ExportController& Application::exporting() { return parts_->exporting; }
 EditController& Application::editing() { return parts_->edit; }
 MarksController& Application::marks() { return parts_->marks; }
 ViewFileController& Application::viewFile() { return parts_->view_file; }
+StructuresController& Application::structures() { return parts_->structures; }
 Replay* Application::replay() { return parts_->replay.replay(); }
 
 Application::Parts::Parts(Application& application, Arguments arguments)
@@ -195,6 +199,7 @@ void Application::Parts::start() {
 }
 
 void Application::Parts::begin() {
+  if (!arguments_.labels.empty()) screenshot.await();
   LoadRequest request = arguments_.load;
   if (!arguments_.paths.isEmpty()) return opening.openTogether(arguments_.paths, request);
   if (request.path && QString::fromStdString(request.path->extension().string())
@@ -225,6 +230,8 @@ void Application::Parts::showScene(bool new_volume) {
   emit application_.adopted();
   if (arguments_.notice) starting.offerTour();
   marks.showScene();
+  structures.showScene();
+  if (!arguments_.labels.empty()) structures.open(std::exchange(arguments_.labels, {}));
   if (new_volume) grey.showScene();
   journal.showScene();
   view_file.showScene(new_volume);  // its marks come after those of the scan before are gone
@@ -311,9 +318,12 @@ void Application::Parts::wireOpening() {
   connect(&opening, &Opening::loading, &starting, &StartController::stopDrawing);
   connect(&opening, &Opening::pictureReplaced, &isosurface,
           [this] { isosurface.showScene(false); });
+  connect(&window, &ui::MainWindow::dropped, &structures, &StructuresController::sort);
+  connect(&structures, &StructuresController::scanWanted, &opening,
+          [this](const QStringList& paths) { opening.openTogether(paths); });
   connect(&opening, &Opening::recordingWanted, &replay, &ReplayController::open);
   connect(&opening, &Opening::viewWanted, this, [this](const std::filesystem::path& path) {
-    screenshot.awaitView();
+    screenshot.await();
     view_file.open(path);
   });
   connect(&opening, &Opening::placesForgotten, &journal, &JournalController::forget);
@@ -409,7 +419,10 @@ void Application::Parts::wireViews() {
   connect(&view_file, &ViewFile::poseWanted, &view, &ViewController::bringBack);
   connect(&view_file, &ViewFile::isovalueWanted, &isosurface, &IsosurfaceController::set);
   connect(&view_file, &ViewFile::refused, &screenshot, &ScreenshotController::fail);
-  connect(&view_file, &ViewFile::finished, &screenshot, &ScreenshotController::viewOpened);
+  connect(&view_file, &ViewFile::finished, &screenshot, &ScreenshotController::arrived);
+  connect(&structures, &StructuresController::opened, &screenshot,
+          [this] { screenshot.arrived(true); });
+  connect(&structures, &StructuresController::refused, &screenshot, &ScreenshotController::fail);
   connect(&screenshot, &ScreenshotController::finished, &application_, &Application::finished);
   connect(&window.messages(), &ui::Messages::folderWanted, this, [this](const QString& folder) {
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))

@@ -30,12 +30,14 @@ class ExportController;
 class MarksController;
 class Replay;
 class SessionRecording;
+class StructuresController;
 class ViewFileController;
 struct Loaded;
 
 /// The options of the command line.
 struct Arguments {
-  LoadRequest load = {};   ///< default: none, an empty window
+  LoadRequest load = {};              ///< default: none, an empty window
+  std::filesystem::path labels = {};  ///< structures of the first scan; empty: none
   QStringList paths = {};  ///< files or folders to open, instead of load.path; empty: none
   std::string hand = "mouse";
   std::optional<ui::SurfaceMode> surface = {};
@@ -70,6 +72,7 @@ class Application : public QObject {
   EditController& editing();
   MarksController& marks();
   ViewFileController& viewFile();
+  StructuresController& structures();
   /// The recording that is being replayed; null: none.
   Replay* replay();
 

@@ -95,6 +95,8 @@ int run(int argc, char** argv) {
   auto* surface_given = cli.add_option("--surface", surface, "How the surface is drawn")
                             ->check(CLI::IsMember({"raycast", "mesh"}));
   auto* series_given = cli.add_option("--series", series, "Number of a series of a folder");
+  auto* labels_given = cli.add_option("--labels", arguments.labels,
+                                      "Structures of the scan: a segmentation by another program");
   cli.add_flag("--correct", correct, "Resample slices that are tilted or unevenly spaced");
   auto* screenshot_given =
       cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG and quit");
@@ -109,6 +111,8 @@ int run(int argc, char** argv) {
     std::vector<const char*> read;
     for (const std::string& word : words) read.push_back(word.c_str());
     cli.parse(static_cast<int>(read.size()), read.data());
+    if (*labels_given && !*path_given && !*phantom_given)
+      throw CLI::RequiresError("--labels", "path or --phantom");
   } catch (const CLI::ParseError& error) {
     return cli.exit(error) == 0 ? 0 : kUsage;
   }

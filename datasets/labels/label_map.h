@@ -45,6 +45,9 @@ class LabelMap {
   const haptics::Grid& grid() const { return grid_; }
   /// The codes, i fastest.
   const std::uint8_t* codes() const { return codes_.get(); }
+  std::shared_ptr<const std::uint8_t[]> sharedCodes() const { return codes_; }
+  /// How many codes are in use.
+  int codeCount() const { return static_cast<int>(sets_.size()); }
   /// Which structures a code stands for, by their numbers, in ascending order.
   const std::vector<std::uint8_t>& structuresOf(std::uint8_t code) const { return sets_[code]; }
   std::size_t setCount() const { return sets_.size(); }  ///< codes that stand for something

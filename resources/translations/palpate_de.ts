@@ -2674,6 +2674,25 @@
     </message>
 </context>
 <context>
+    <name>app::StructuresController</name>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>There is no scan yet; open the scan of the structures first.</source>
+        <translation>Es ist noch keine Aufnahme geöffnet; öffnen Sie zuerst die der Strukturen.</translation>
+    </message>
+    <message>
+        <source>Reading the structures</source>
+        <translation>Strukturen werden gelesen</translation>
+    </message>
+    <message>
+        <source>Structure %1</source>
+        <translation>Struktur %1</translation>
+    </message>
+</context>
+<context>
     <name>app::SurfaceController</name>
     <message>
         <source>There is no surface yet; open a scan first.</source>
@@ -5116,6 +5135,14 @@
         <source>&amp;Mesh</source>
         <translation>&amp;Gitternetz</translation>
     </message>
+    <message>
+        <source>Open s&amp;tructures…</source>
+        <translation>S&amp;trukturen öffnen…</translation>
+    </message>
+    <message>
+        <source>Open structures of the scan on view</source>
+        <translation>Strukturen der gezeigten Aufnahme öffnen</translation>
+    </message>
 </context>
 <context>
     <name>ui::Messages</name>
@@ -5190,6 +5217,26 @@
     <message>
         <source>Write over it</source>
         <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Structures, or a scan</source>
+        <translation>Strukturen oder eine Aufnahme</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has the same voxels as the scan on view.</source>
+        <translation>„%1“ hat dieselben Voxel wie die gezeigte Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Structures are shown in the scan on view. A scan takes its place.</source>
+        <translation>Strukturen werden in der gezeigten Aufnahme angezeigt. Eine Aufnahme tritt an ihre Stelle.</translation>
+    </message>
+    <message>
+        <source>Show s&amp;tructures</source>
+        <translation>S&amp;trukturen zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Open as a scan</source>
+        <translation>Als Aufnahme ö&amp;ffnen</translation>
     </message>
 </context>
 <context>
@@ -7095,6 +7142,153 @@
     </message>
 </context>
 <context>
+    <name>ui::StructuresPanel</name>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Shows it, or hides it</source>
+        <translation>Zeigt sie oder verbirgt sie</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>A click chooses another colour</source>
+        <translation>Ein Klick wählt eine andere Farbe</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Search the structures</source>
+        <translation>In den Strukturen suchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Lists the structures whose names have these letters</source>
+        <translation>Listet die Strukturen, deren Namen diese Buchstaben enthalten</translation>
+    </message>
+    <message>
+        <source>Opens the structures of this scan from a file: a segmentation by another program</source>
+        <translation>Öffnet die Strukturen dieser Aufnahme aus einer Datei: eine Segmentierung eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>Takes the structures from the views; the file stays</source>
+        <translation>Nimmt die Strukturen aus den Ansichten; die Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>%1 turns the views to the structure, %2 renames it, %3 shows or hides it</source>
+        <translation>%1 dreht die Ansichten zur Struktur, %2 benennt sie um, %3 zeigt oder verbirgt sie</translation>
+    </message>
+    <message>
+        <source>Shows this structure alone</source>
+        <translation>Zeigt diese Struktur allein</translation>
+    </message>
+    <message>
+        <source>Chooses another colour</source>
+        <translation>Wählt eine andere Farbe</translation>
+    </message>
+    <message>
+        <source>Turns the 3-D view to the structure, and brings the slices to its middle</source>
+        <translation>Dreht die 3-D-Ansicht zur Struktur und bringt die Schichten zu ihrer Mitte</translation>
+    </message>
+    <message>
+        <source>Renames the structure, here alone</source>
+        <translation>Benennt die Struktur um, nur hier</translation>
+    </message>
+    <message>
+        <source>Opacity of the structure</source>
+        <translation>Deckkraft der Struktur</translation>
+    </message>
+    <message>
+        <source>How much of what lies behind it the structure hides</source>
+        <translation>Wie viel von dem, was hinter ihr liegt, die Struktur verdeckt</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Shows all structures</source>
+        <translation>Zeigt alle Strukturen</translation>
+    </message>
+    <message>
+        <source>Hides all structures</source>
+        <translation>Verbirgt alle Strukturen</translation>
+    </message>
+    <message>
+        <source>Draws the outlines of structures over the bone that hides them</source>
+        <translation>Zeichnet die Umrisse von Strukturen über den Knochen, der sie verdeckt</translation>
+    </message>
+    <message>
+        <source>Fills the structures in slices, so that the anatomy is seen through</source>
+        <translation>Füllt die Strukturen in Schichten, sodass die Anatomie hindurchscheint</translation>
+    </message>
+    <message>
+        <source>Colour of a structure</source>
+        <translation>Farbe einer Struktur</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Hingehen</translation>
+    </message>
+    <message>
+        <source>Only this</source>
+        <translation>Nur diese</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Through the bone</source>
+        <translation>Durch den Knochen</translation>
+    </message>
+    <message>
+        <source>Filled in slices</source>
+        <translation>In Schichten gefüllt</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>All on</source>
+        <translation>Alle an</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>Alle aus</translation>
+    </message>
+</context>
+<context>
     <name>ui::SurfaceDialog</name>
     <message>
         <source>With the parts that were removed</source>
@@ -8159,6 +8353,22 @@
     <message>
         <source>%1, while the mouse has the tool (%2)</source>
         <translation>%1, während die Maus das Werkzeug hat (%2)</translation>
+    </message>
+    <message>
+        <source>list of structures</source>
+        <translation>Liste der Strukturen</translation>
+    </message>
+    <message>
+        <source>turns the views to the structure</source>
+        <translation>dreht die Ansichten zur Struktur</translation>
+    </message>
+    <message>
+        <source>renames the structure</source>
+        <translation>benennt die Struktur um</translation>
+    </message>
+    <message>
+        <source>shows the structure, or hides it</source>
+        <translation>zeigt die Struktur oder verbirgt sie</translation>
     </message>
 </context>
 </TS>

@@ -226,6 +226,10 @@ std::vector<Binding> allBindings() {
       key(Marks, Key_Return, WORDS("shows the place; again: its next one"), GoToMark, "go_to_mark"),
       key(Marks, Key_F2, WORDS("renames the mark, or edits the note"), RenameMark, "rename_mark"),
       key(Marks, Key_Delete, WORDS("deletes the mark"), DeleteMark, "list_delete_mark"),
+      key(Structures, Key_Return, WORDS("turns the views to the structure"), GoToStructure,
+          "go_to_structure"),
+      key(Structures, Key_F2, WORDS("renames the structure"), RenameStructure, "rename_structure"),
+      key(Structures, Key_Space, WORDS("shows the structure, or hides it"), ShowStructure),
       key(Border, Key_Left, WORDS("moves it"), MoveBorder, "border_left"),
       key(Border, Key_Right, WORDS("moves it"), MoveBorder, "border_right"),
       key(Border, Key_Up, WORDS("moves it"), MoveBorder, "border_up"),
@@ -577,6 +581,8 @@ QString placeOf(const Binding& binding) {
         return bindingWords("slices");
       case Where::Marks:
         return bindingWords("list of marks");
+      case Where::Structures:
+        return bindingWords("list of structures");
       case Where::Histogram:
         return bindingWords("histogram");
       case Where::Border:

@@ -24,6 +24,7 @@ enum class Where {
   Space,  ///< the 3-D view
   Slice,
   Marks,  ///< the list of measures and marks
+  Structures,
   Histogram,
   Border,  ///< between two views
   ReplayBar
@@ -105,6 +106,9 @@ enum class Action {
   GoToMark,
   RenameMark,
   DeleteMark,
+  GoToStructure,
+  RenameStructure,
+  ShowStructure,
   // the border between two views
   MoveBorder,
   FirstSizes,

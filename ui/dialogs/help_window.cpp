@@ -25,13 +25,19 @@ namespace {
 constexpr int kPlace = Qt::UserRole;
 
 /// The part of a window, by its object's name, and its page.
-constexpr std::pair<const char*, const char*> kPages[] = {
-    {"surfaceSection", "isovalue"},        {"toolSection", "tools"},
-    {"performanceSection", "performance"}, {"editSection", "edits"},
-    {"marksSection", "measures"},          {"deviceSection", "devices"},
-    {"recordingSection", "recording"},     {"replayBar", "recording"},
-    {"startPage", "first-touch"},          {"views", "views"},
-    {"preferencesWindow", "preferences"},  {"series", "opening"}};
+constexpr std::pair<const char*, const char*> kPages[] = {{"surfaceSection", "isovalue"},
+                                                          {"toolSection", "tools"},
+                                                          {"performanceSection", "performance"},
+                                                          {"editSection", "edits"},
+                                                          {"marksSection", "measures"},
+                                                          {"structuresSection", "structures"},
+                                                          {"deviceSection", "devices"},
+                                                          {"recordingSection", "recording"},
+                                                          {"replayBar", "recording"},
+                                                          {"startPage", "first-touch"},
+                                                          {"views", "views"},
+                                                          {"preferencesWindow", "preferences"},
+                                                          {"series", "opening"}};
 
 QString contentOf(const QString& file_name) {
   QFile file(file_name);

@@ -73,6 +73,9 @@ class Row {
   int roomAtLeft() const {
     return (middle_.isValid() ? middle_.left() - kGap : right_) - left_ - 2;
   }
+  int roomAtRight() const {
+    return right_ - (middle_.isValid() ? middle_.right() + 1 + kGap : left_) - 2;
+  }
 
  private:
   ReadoutLayout& layout_;
@@ -182,7 +185,12 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   const bool above = top.place(at, Right, ink);
 
   foot.place(readout.grey, Left, ink);
-  foot.place(readout.value, Right, ink);
+  // behind the value where all of it fits; else below it, in place of the position
+  const QFontMetrics plain_metrics(plain);
+  const QString both = readout.value + QStringLiteral("   ") + readout.structures;
+  const bool beside_value =
+      !readout.structures.isEmpty() && plain_metrics.horizontalAdvance(both) <= foot.roomAtRight();
+  foot.place(beside_value ? both : readout.value, Right, ink);
   const double mm =
       rulerLength_mm(std::min(kRulerShare * picture.width(), kLongestRuler) * mm_per_pixel);
   const int length = qRound(mm / mm_per_pixel);
@@ -197,6 +205,9 @@ ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widge
   if (!said) foot.place(readout.slab, Right, ink);
   if (!last.place(readout.note, Right, style::kViewAttention))
     foot.place(readout.note, Right, style::kViewAttention);
+  if (!beside_value)
+    last.place(plain_metrics.elidedText(readout.structures, Qt::ElideRight, last.roomAtRight()),
+               Right, ink);
   last.place(above || !readout.position.isEmpty() ? readout.position : at, Right, ink);
   return layout;
 }

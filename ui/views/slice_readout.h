@@ -24,6 +24,7 @@ struct SliceReadout {
   QString slab = {};                    ///< empty: one plane
   QString grey = {};                    ///< level and width
   QString value = {};                   ///< under the pointer
+  QString structures = {};              ///< under the pointer: names
   QString position = {};                ///< under the pointer
   std::array<QString, 4> letters = {};  ///< left, right, upper and lower edge; empty: unknown
   bool sides_known = true;              ///< false: a line says that left and right are unknown
@@ -49,7 +50,8 @@ struct ReadoutLayout {
 QRect pictureIn(QRect widget, bool oblique);
 
 /// Lays out what is said. `buttons`: px at the right of the upper edge that buttons cover. What
-/// does not fit is left out, the position under the pointer first, the letters never.
+/// does not fit is left out, the position under the pointer first, the letters never; names of
+/// structures are cut.
 ReadoutLayout layOut(const SliceReadout& readout, const QFont& font, QRect widget, QRect picture,
                      int buttons, double mm_per_pixel);
 

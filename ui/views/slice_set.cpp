@@ -378,6 +378,10 @@ void SliceSet::addOverlay(Overlay& overlay) {
   for (SliceView* slice : slices_) slice->addOverlay(overlay);
 }
 
+void SliceSet::show(const Structures& structures) {
+  for (SliceView* slice : slices_) slice->setStructures(structures);
+}
+
 void SliceSet::setIsovalue(double isovalue) {
   for (SliceView* slice : slices_) slice->setIsovalue(isovalue);
 }

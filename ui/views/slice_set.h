@@ -45,6 +45,7 @@ class SliceSet : public QObject {
   void show(const haptics::TriangleMesh& tool);
   void setTouched(const TouchedSurface& touched);
   void addOverlay(Overlay& overlay);
+  void show(const Structures& structures);
   void setIsovalue(double isovalue);
   void display(const haptics::Snapshot& snapshot);
   void moveCross(const Eigen::Vector3d& cross_W_mm);

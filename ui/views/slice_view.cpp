@@ -218,6 +218,12 @@ void SliceView::setContourShown(bool shown) {
   update();
 }
 
+void SliceView::setStructures(const Structures& structures) {
+  structures_ = structures;
+  structures_stale_ = true;
+  update();
+}
+
 void SliceView::setTouched(const TouchedSurface& touched) {
   touched_ = touched;
   contour_stale_ = true;

@@ -16,6 +16,7 @@
 #include "ui/controls/spoken.h"
 #include "ui/overlays/overlay_stack.h"
 #include "ui/props/slice.h"
+#include "ui/props/structures.h"
 #include "ui/props/view_look.h"
 #include "ui/views/touched_surface.h"
 
@@ -34,8 +35,9 @@ struct CrossedPlane {
   bool operator==(const CrossedPlane&) const = default;
 };
 
-/// One slice: the picture, the contour of the touched surface, the lines of the other planes, the
-/// outline of proxy (solid) and device (dashed), and what is said on the margin around it.
+/// One slice: the picture, structures, the contour of the touched surface, the lines of the other
+/// planes, the outline of proxy (solid) and device (dashed), and what is said on the margin around
+/// it.
 /// Zoomed and shifted on its own; what concerns all slices is asked for by signals.
 ///
 /// Keys and mouse are in ui/controls/bindings.h.
@@ -61,6 +63,7 @@ class SliceView : public QWidget, public Spoken {
   void setLook(const SliceLook& look);
   void setIsovalue(double isovalue);
   void setContourShown(bool shown);
+  void setStructures(const Structures& structures);
   /// Sets the poses of proxy and device. It is drawn again if they moved visibly.
   void setTool(const haptics::Pose& X_WP, const haptics::Pose& X_WD);
 
@@ -169,6 +172,8 @@ class SliceView : public QWidget, public Spoken {
   std::optional<int> gridAxis() const;
   double step_mm() const;
   void shiftGrey(double level, double width);
+  /// Cuts the structures as the picture is cut, and draws them.
+  void drawStructures(double scale);
   /// What is visible of the volume, for the contour; empty where it is not.
   Patch visiblePatch() const;
   void makeContour();
@@ -192,9 +197,12 @@ class SliceView : public QWidget, public Spoken {
   PlaneAxes axes_;
   QString name_, place_;
   Slice slice_;
-  QImage image_, contour_image_;
+  Structures structures_;
+  StructureCut structure_cut_;
+  QImage image_, structures_image_, contour_image_;
   bool stale_ = true;       ///< the cut
   bool grey_stale_ = true;  ///< its grey
+  bool structures_stale_ = true;
   std::shared_ptr<const haptics::Volume> volume_;
   Eigen::AlignedBox3d box_mm_, body_mm_;
   bool fitted_ = false;  ///< to the body, and neither zoomed nor shifted since

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kTipRing_px = 4.0;       // radius of what stands for a tool beside the plane
 constexpr double kFarthestTip_mm = 30.0;  // from the plane: beyond it nothing is drawn
-constexpr double kCrossGap = 8.0;         // px, around the crosshair's middle
+constexpr double kStructureLine_px = 1.5;
+constexpr double kCrossGap = 8.0;  // px, around the crosshair's middle
 
 QString shortNameOf(Plane plane) {
   switch (plane) {
@@ -99,6 +100,14 @@ void SliceView::drawContour(double scale) {
   painter.drawLines(lines.data(), static_cast<int>(lines.size()));
 }
 
+void SliceView::drawStructures(double scale) {
+  structure_cut_.cut(*structures_.map, axes_, middle_mm(), image_.size(), mmPerPixel() / scale);
+  structures_image_ =
+      structure_cut_.picture(structures_, std::max(1, qRound(kStructureLine_px * scale)));
+  structures_image_.setDevicePixelRatio(scale);
+  structures_stale_ = false;
+}
+
 std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SliceView::contour_W_mm() const {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pieces;
   for (const QLineF& piece : contour_)
@@ -138,6 +147,7 @@ void SliceView::draw(QPainter& painter, const QString& note) {
     slice_.cut(axes_, middle_mm(), pixels, mmPerPixel() / scale, look_);
     stale_ = false;
     grey_stale_ = true;
+    structures_stale_ = true;
     body_before_.clear();
   }
   if (grey_stale_) {
@@ -147,6 +157,10 @@ void SliceView::draw(QPainter& painter, const QString& note) {
   }
   painter.setClipRect(picture);
   painter.drawImage(picture.topLeft(), image_);
+  if (structures_.map) {
+    if (structures_stale_) drawStructures(scale);
+    painter.drawImage(picture.topLeft(), structures_image_);
+  }
   if (contour_shown_ && touched_.value) {
     if (contour_stale_) makeContour();
     if (contour_stale_ || scale != contour_image_.devicePixelRatio()) drawContour(scale);
@@ -284,6 +298,7 @@ SliceReadout SliceView::readout() const {
         slice_.valueAt({static_cast<int>(at.x()), static_cast<int>(at.y())});
     if (value) {
       readout.value = intensityWords(*value, *volume_);
+      readout.structures = structures_.namesAt(placeUnder(*hover_));
       readout.position = positionWords(placeUnder(*hover_), volume_->orientation_known);
     }
   }

@@ -22,6 +22,7 @@
 
 #include "ui/controls/touched_words.h"
 #include "ui/props/held_pass.h"
+#include "ui/props/through_pass.h"
 #include "ui/props/veil_pass.h"
 #include "ui/style/scene_colours.h"
 #include "ui/views/slice_readout.h"
@@ -31,11 +32,19 @@ namespace {
 
 // of a surface in motion, on software graphics
 constexpr std::int64_t kMovingTriangles = 80'000;
+constexpr double kOutline_px = 1.5;   // of structures that are seen through bone
 constexpr int kStillMs = 400;         // no movement for this long is rest
 constexpr int kPointedMs = 100;       // between two looks at what is under the pointer
 constexpr double kBeside_deg = 40.0;  // between the device and the eye, about the patient's axis
-constexpr double kBehindTool_mm = 120.0;                 // of the eye, looking along the tool
-constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;  // px, at the edges, where letters stand
+constexpr double kBehindTool_mm = 120.0;  // of the eye, looking along the tool
+// of a look at a structure
+constexpr int kDirections = 60;
+constexpr double kTurnCost_mm = 4.0;    // of solid, for a radian that the view turns
+constexpr double kOutOfBody_mm = 30.0;  // of the eye
+constexpr double kSteep = 0.9;          // beyond that the front is above in the picture
+constexpr double kNearest_mm = 60.0, kFarthest_mm = 200.0;  // of the eye from a small structure
+constexpr double kNearInSizes = 4.0, kFarInSizes = 20.0;    // and in sizes of a large one
+constexpr double kLetterSide = 28.0, kLetterEnd = 20.0;     // px, at the edges, where letters stand
 
 using style::kViewGround;
 
@@ -84,24 +93,30 @@ class VolumeView::Geometry : public ViewGeometry {
 VolumeView::VolumeView(QWidget* parent)
     : Viewport(parent),
       surface_layer_(vtkSmartPointer<vtkRenderer>::New()),
+      through_layer_(vtkSmartPointer<vtkRenderer>::New()),
       proxy_layer_(vtkSmartPointer<vtkRenderer>::New()),
       veil_layer_(vtkSmartPointer<vtkRenderer>::New()),
       overlay_layer_(vtkSmartPointer<vtkRenderer>::New()),
       held_(vtkSmartPointer<HeldPass>::New()),
+      through_(vtkSmartPointer<ThroughPass>::New()),
       veil_(vtkSmartPointer<VeilPass>::New()),
+      structures_(*surface_layer_, *through_layer_),
       geometry_(std::make_unique<Geometry>(*this)) {
   offerSpoken();
   setMouseTracking(true);
   setAccessibleName(tr("3-D view"));
   surface_layer_->SetBackground(kViewGround.redF(), kViewGround.greenF(), kViewGround.blueF());
-  renderWindow()->SetNumberOfLayers(4);
+  renderWindow()->SetNumberOfLayers(5);
   int layer = 0;
-  for (const auto& renderer : {surface_layer_, proxy_layer_, veil_layer_, overlay_layer_}) {
+  for (const auto& renderer :
+       {surface_layer_, through_layer_, proxy_layer_, veil_layer_, overlay_layer_}) {
     renderer->SetLayer(layer++);
     renderer->SetActiveCamera(camera_.vtk());
     renderWindow()->AddRenderer(renderer);
   }
   // surface and veil hide the proxy behind them; the device is never hidden
+  through_layer_->PreserveDepthBufferOn();
+  through_layer_->SetPass(through_);
   proxy_layer_->PreserveDepthBufferOn();
   veil_layer_->PreserveDepthBufferOn();
   veil_layer_->SetPass(veil_);
@@ -181,6 +196,16 @@ void VolumeView::setSecondOpacity(double opacity) {
 
 double VolumeView::secondOpacity() const { return veil_->opacity(); }
 
+void VolumeView::show(const Structures& structures) {
+  structures_.show(structures);
+  redrawSurface();
+}
+
+void VolumeView::showShape(std::size_t number, vtkPolyData* mesh) {
+  structures_.showShape(number, mesh);
+  redrawSurface();
+}
+
 void VolumeView::showContacts(bool on) {
   contacts_shown_ = on;
   update();
@@ -241,9 +266,14 @@ void VolumeView::chooseMode() {
 }
 
 void VolumeView::redrawSurface() {
-  held_->forget();
-  veil_->forget();
+  forgetDrawn();
   redraw();
+}
+
+void VolumeView::forgetDrawn() {
+  held_->forget();
+  through_->forget();
+  veil_->forget();
 }
 
 void VolumeView::cameraMoved() {
@@ -263,6 +293,7 @@ void VolumeView::settle() {
 
 void VolumeView::aboutToDraw() {
   surface_.update();
+  through_->setLine(std::max(1, qRound(kOutline_px * renderWindow()->GetSize()[1] / height())));
   fitClippingRange();
   surface_.cull(camera_.vtk());
 }
@@ -291,8 +322,7 @@ void VolumeView::fitClippingRange() {
                       range[1] < 3.0 * far_mm;
   if (enough) return;
   camera->SetClippingRange(std::max(0.5 * near_mm, grain * 0.002), 1.5 * far_mm);
-  held_->forget();
-  veil_->forget();
+  forgetDrawn();
 }
 
 void VolumeView::lookAtFirst() {
@@ -347,6 +377,56 @@ void VolumeView::lookAlongTool() {
     if (back.dot(X * v - tip) < 0.0)
       tip = X.translation() + back * back.dot(X * v - X.translation());
   camera_.lookAt(tip * kMmPerM, back, up, kBehindTool_mm + tool_radius_ * kMmPerM, box_mm_);
+  cameraMoved();
+}
+
+void VolumeView::lookAtPlaces(const std::vector<Eigen::Vector3d>& places_W_mm) {
+  if (places_W_mm.empty() || box_mm_.isEmpty()) return;
+  const Eigen::Vector3d& middle = places_W_mm.front();
+  double size_mm = 0.0;
+  for (const Eigen::Vector3d& p : places_W_mm) size_mm = std::max(size_mm, (p - middle).norm());
+  const double reach_mm = box_mm_.diagonal().norm();
+  const double step_mm = std::max(1.5, grid_.spacing.minCoeff() * kMmPerM);
+  const auto solidBefore_mm = [&](const Eigen::Vector3d& from) {
+    double solid = 0.0;
+    for (const Eigen::Vector3d& p : places_W_mm)
+      for (double away = step_mm; touched_.value && away < reach_mm; away += step_mm) {
+        const Eigen::Vector3d there = p + away * from;
+        if (!box_mm_.contains(there)) break;
+        if (touched_.value(there / kMmPerM) > isovalue_) solid += step_mm;
+      }
+    return solid / static_cast<double>(places_W_mm.size());
+  };
+  // from all sides, evenly, and as it is
+  const Eigen::Vector3d now = viewAxes().col(2);
+  Eigen::Vector3d best = now;
+  double least = solidBefore_mm(now);
+  for (int n = 0; n < kDirections; ++n) {
+    const double z = 1.0 - (2.0 * n + 1.0) / kDirections;
+    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0)) * n;
+    const double level = std::sqrt(1.0 - z * z);
+    const Eigen::Vector3d from{level * std::cos(turn), level * std::sin(turn), z};
+    const double cost =
+        solidBefore_mm(from) + kTurnCost_mm * std::acos(std::clamp(from.dot(now), -1.0, 1.0));
+    if (cost >= least) continue;
+    least = cost;
+    best = from;
+  }
+  // the eye is outside the body, which would be cut open before it
+  const Eigen::AlignedBox3d body = surface_.bounds_mm();
+  double outside_mm = 0.0;
+  for (int n = 0; n < 8; ++n)
+    outside_mm =
+        std::max(outside_mm,
+                 best.dot(body.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n)) - middle));
+  const double distance_mm =
+      std::max(outside_mm + kOutOfBody_mm,
+               std::clamp(camera()->GetDistance(), std::max(kNearest_mm, kNearInSizes * size_mm),
+                          std::max(kFarthest_mm, kFarInSizes * size_mm)));
+  const Eigen::Vector3d up = std::abs(best.z()) > kSteep
+                                 ? Eigen::Vector3d{-Eigen::Vector3d::UnitY()}
+                                 : Eigen::Vector3d{Eigen::Vector3d::UnitZ()};
+  camera_.lookAt(middle, best, up, distance_mm, box_mm_);
   cameraMoved();
 }
 
@@ -423,12 +503,36 @@ void VolumeView::zoom(double factor, QPointF at) {
 
 void VolumeView::tellPointed() {
   QString words;
-  const auto met = pointer_in_ && !grasp_ ? surfaceUnder(last_mouse_) : std::nullopt;
+  const bool looks = pointer_in_ && !grasp_;
+  const auto met = looks ? surfaceUnder(last_mouse_) : std::nullopt;
   if (met && touched_.behind && picture().volume != nullptr)
     words =
         touchedWords(touched_.behind(met->p_W), QString::fromStdString(picture().volume->unit)) +
         QStringLiteral("   ") + positionWords(met->p_W * kMmPerM, orientation_known_);
+  if (const QString names = looks ? structuresUnder(last_mouse_, met) : QString{}; !names.isEmpty())
+    words += (words.isEmpty() ? QString{} : QStringLiteral("   ")) + names;
   emit pointedChanged(words);
+}
+
+QString VolumeView::structuresUnder(QPointF at, const std::optional<SurfacePlace>& met) const {
+  const Structures& shown = structures_.shown();
+  if (shown.map == nullptr || box_mm_.isEmpty()) return {};
+  Eigen::Vector3d from_mm, along;
+  camera_.sight(at, from_mm, along);
+  const double step_mm = 0.5 * grid_.spacing.minCoeff() * kMmPerM;
+  const double far_mm = (box_mm_.center() - from_mm).norm() + 0.5 * box_mm_.diagonal().norm();
+  const double met_mm = met ? (met->p_W * kMmPerM - from_mm).norm() : far_mm;
+  const auto firstShown = [&](double begin_mm, double end_mm) {
+    for (double away = begin_mm; away < end_mm; away += step_mm)
+      if (const std::uint8_t code = shown.map->codeAt(from_mm + away * along); shown.isShown(code))
+        return shown.namesOf(code);
+    return QString{};
+  };
+  // before the surface; else what is touched there, half a voxel behind it; else seen through it
+  QString names = firstShown(std::max(0.0, far_mm - box_mm_.diagonal().norm()), met_mm);
+  if (names.isEmpty() && met) names = shown.namesAt(met->p_W * kMmPerM - met->normal_W * step_mm);
+  if (names.isEmpty() && met && shown.through) names = firstShown(met_mm, far_mm);
+  return names;
 }
 
 QPointF VolumeView::projected(const haptics::Vec3& p_W) const {

@@ -14,6 +14,7 @@
 #include "ui/controls/spoken.h"
 #include "ui/overlays/overlay_stack.h"
 #include "ui/props/orientation.h"
+#include "ui/props/structure_props.h"
 #include "ui/props/tool_prop.h"
 #include "ui/props/view_look.h"
 #include "ui/props/viewport.h"
@@ -26,12 +27,13 @@ class vtkRenderer;
 namespace ui {
 
 class HeldPass;
+class ThroughPass;
 class VeilPass;
 
-/// The 3-D view: isosurface, a second surface as a veil, proxy, device, contacts and orientation,
-/// in W, millimetres. Keys and mouse are in ui/controls/bindings.h. The mouse is a hand
-/// in a mode of its own, and wherever it takes hold of the tool that is drawn. C and H are released
-/// when the view loses the focus.
+/// The 3-D view: isosurface, a second surface as a veil, structures, proxy, device, contacts and
+/// orientation, in W, millimetres. Keys and mouse are in ui/controls/bindings.h. The mouse is a
+/// hand in a mode of its own, and wherever it takes hold of the tool that is drawn. C and H are
+/// released when the view loses the focus.
 class VolumeView : public Viewport, public Spoken {
   Q_OBJECT
  public:
@@ -62,6 +64,12 @@ class VolumeView : public Viewport, public Spoken {
   void setSecondSurface(std::optional<double> isovalue);
   void setSecondOpacity(double opacity);
   double secondOpacity() const;
+  /// Shows these structures, each as soon as it has a shape.
+  void show(const Structures& structures);
+  void showShape(std::size_t number, vtkPolyData* mesh);
+  /// Looks at the first of these places of a structure [mm], from where the solid hides as little
+  /// of them as can be, and from not too far.
+  void lookAtPlaces(const std::vector<Eigen::Vector3d>& places_W_mm);
   /// Shows where the tool is touched and the force on it.
   void showContacts(bool on);
   /// Shows the mesh requested by fineMeshWanted.
@@ -161,6 +169,8 @@ class VolumeView : public Viewport, public Spoken {
 
   void chooseMode();
   void redrawSurface();
+  /// What was drawn and kept is drawn again.
+  void forgetDrawn();
   void cameraMoved();
   void settle();
   void lookAtFirst();
@@ -183,6 +193,9 @@ class VolumeView : public Viewport, public Spoken {
   void chooseCursor(QPointF at);
   void fitClippingRange();
   void tellPointed();
+  /// The names of the structures that are seen or touched under a pixel, where the surface is met
+  /// there, or not.
+  QString structuresUnder(QPointF at, const std::optional<SurfacePlace>& met) const;
   /// Whether the box that the surface fills is seen in a box of the view.
   bool showsBody(const QRectF& box);
   void paintOver(QPainter& painter) const;
@@ -194,12 +207,15 @@ class VolumeView : public Viewport, public Spoken {
 
   SpaceCamera camera_{*this};
   vtkSmartPointer<vtkRenderer> surface_layer_;
+  vtkSmartPointer<vtkRenderer> through_layer_;
   vtkSmartPointer<vtkRenderer> proxy_layer_;
   vtkSmartPointer<vtkRenderer> veil_layer_;
   vtkSmartPointer<vtkRenderer> overlay_layer_;
   vtkSmartPointer<HeldPass> held_;
+  vtkSmartPointer<ThroughPass> through_;
   vtkSmartPointer<VeilPass> veil_;
   VolumeProp surface_;
+  StructureProps structures_;
   ToolProp tool_;
   haptics::TriangleMesh tool_mesh_;
   Eigen::AlignedBox3d box_mm_;

@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/props/held_pass.h"
-#include "ui/props/veil_pass.h"
 #include "ui/style/scene_colours.h"
 
 namespace ui {
@@ -135,8 +133,7 @@ QImage VolumeView::picture(double scale) {
   const float line = tool_.device()->GetProperty()->GetLineWidth();
   const auto ratio = static_cast<float>(scale / devicePixelRatioF());
   tool_.device()->GetProperty()->SetLineWidth(line * ratio);
-  held_->forget();
-  veil_->forget();
+  forgetDrawn();
   QImage image = drawnAt((QSizeF(size()) * scale).toSize());
   tool_.device()->GetProperty()->SetLineWidth(line);
   redrawSurface();

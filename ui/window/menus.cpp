@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/window/menus.h"
 
-#include <QAction>
 #include <QActionGroup>
 #include <QApplication>
 #include <QDialog>
@@ -74,6 +73,11 @@ void Menus::buildFileMenu() {
   recent_->setToolTipsVisible(true);
   connect(recent_, &QMenu::aboutToShow, this, &Menus::recentPlacesSought);
   phantoms_ = file->addMenu(tr("Open &phantom"));
+  structures_ = file->addAction(tr("Open s&tructures…"), this, [ask, any] {
+    ask(QFileDialog::ExistingFile, tr("Open structures of the scan on view"), any,
+        &Menus::structuresWanted);
+  });
+  structures_->setObjectName("openStructures");
   QAction* recording = file->addAction(tr("Open recor&ding…"), this, [ask] {
     ask(QFileDialog::ExistingFile, tr("Open a recording"), tr("Recordings (*.palpate)"),
         &Menus::recordingWanted);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QAction>
 #include <QList>
 #include <QObject>
 #include <QString>
@@ -8,7 +9,6 @@
 
 #include "ui/style/look.h"
 
-class QAction;
 class QActionGroup;
 class QMainWindow;
 class QMenu;
@@ -46,6 +46,8 @@ class Menus : public QObject {
   /// Whether each view says what the mouse does in it.
   bool hintsShown() const;
   void setHintsShown(bool shown);
+  /// Asks for a file of structures.
+  void askForStructures() { structures_->trigger(); }
   /// Applies a theme to the program.
   void setTheme(style::Theme theme);
 
@@ -60,6 +62,8 @@ class Menus : public QObject {
   void forgetPlacesWanted();
   /// The user wants to see the last list of series again.
   void seriesWanted();
+  /// The user wants the structures of the scan on view from this file.
+  void structuresWanted(const QString& path);
   /// The user wants the edited volume in this file.
   void saveEditedWanted(const QString& path);
   /// The user wants the surface on view as a file.
@@ -101,6 +105,7 @@ class Menus : public QObject {
   QMenu* view_ = nullptr;
   QMenu* phantoms_ = nullptr;
   QMenu* recent_ = nullptr;
+  QAction* structures_ = nullptr;
   QAction* series_ = nullptr;
   QAction* save_edited_ = nullptr;
   QAction* hints_ = nullptr;

@@ -149,6 +149,21 @@ Unfinished Messages::askToFinish() {
   return question.clickedButton() == stop ? Unfinished::Stop : Unfinished::Cancel;
 }
 
+OpenedAs Messages::askHowToOpen(const QString& name) {
+  QMessageBox question(QMessageBox::Question, tr("Structures, or a scan"),
+                       tr("\"%1\" has the same voxels as the scan on view.").arg(name),
+                       QMessageBox::Cancel, window());
+  question.setInformativeText(
+      tr("Structures are shown in the scan on view. A scan takes its place."));
+  const QAbstractButton* structures =
+      question.addButton(tr("Show s&tructures"), QMessageBox::AcceptRole);
+  const QAbstractButton* scan = question.addButton(tr("&Open as a scan"), QMessageBox::AcceptRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() == structures) return OpenedAs::Structures;
+  return question.clickedButton() == scan ? OpenedAs::Scan : OpenedAs::Cancel;
+}
+
 std::optional<QString> withEnding(Messages& messages, QString path, const QString& ending) {
   if (path.endsWith(ending, Qt::CaseInsensitive)) return path;
   path += ending;

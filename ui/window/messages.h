@@ -19,6 +19,8 @@ class Banner;
 enum class Unsaved { Save, Discard, Cancel };
 /// What becomes of a file that is still being written.
 enum class Unfinished { Finish, Stop, Cancel };
+/// What a file is opened as.
+enum class OpenedAs { Structures, Scan, Cancel };
 
 /// Sentences above the views, each in a bar of its own kind, and questions that the user answers
 /// before anything else. GUI thread.
@@ -59,6 +61,8 @@ class Messages : public QObject {
   Unsaved askToSave(const QString& what, const QString& consequence);
   /// Asks what becomes of a file that is being written. Enter means Cancel.
   Unfinished askToFinish();
+  /// Asks whether a file has structures of the scan on view, or is a scan. Enter means Cancel.
+  OpenedAs askHowToOpen(const QString& name);
   /// Shows the safety notice, and returns when it was read.
   void showNotice();
 

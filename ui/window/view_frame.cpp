@@ -157,6 +157,7 @@ ViewFrame::ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget
   pointed_->setPalette(dark);
   pointed_->setAutoFillBackground(true);
   pointed_->setMargin(kPlate);
+  pointed_->setTextFormat(Qt::PlainText);  // names come from files
   pointed_->setWordWrap(true);
   pointed_->setAttribute(Qt::WA_TransparentForMouseEvents);
   pointed_->hide();

@@ -99,6 +99,11 @@ void Views::setTouched(const TouchedSurface& touched) {
   slices_->setTouched(touched);
 }
 
+void Views::show(const Structures& structures) {
+  volume_->show(structures);
+  slices_->show(structures);
+}
+
 void Views::display(const haptics::Snapshot& snapshot) {
   volume_->display(snapshot);
   slices_->display(snapshot);

@@ -52,6 +52,8 @@ class Views : public QObject {
   void setIsovalue(double isovalue);
   /// The surface that is touched; given with every scene.
   void setTouched(const TouchedSurface& touched);
+  /// Which structures lie in the scan, and how they look; their shapes in 3-D follow.
+  void show(const Structures& structures);
   /// Poses of the tool, at display rate.
   void display(const haptics::Snapshot& snapshot);
   /// Draws this above all views, and asks it first for mouse and keys.

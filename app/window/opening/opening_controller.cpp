@@ -57,8 +57,6 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
   connect(&window.menus(), &ui::Menus::openWanted, this,
           [this](const QString& path) { open(path); });
   connect(&window, &ui::MainWindow::closing, &choice_, &SeriesChoice::close);
-  connect(&window, &ui::MainWindow::dropped, this,
-          [this](const QStringList& paths) { openTogether(paths); });
   connect(&window.menus(), &ui::Menus::phantomWanted, this, [this](const QString& name) {
     load({.phantom = name.toStdString()}, tr("Making the phantom"));
   });

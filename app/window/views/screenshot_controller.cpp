@@ -26,17 +26,18 @@ ScreenshotController::ScreenshotController(ui::MainWindow& window, SharedState& 
       after_(after) {}
 
 void ScreenshotController::prepare(bool new_volume) {
-  if (isWanted() && new_volume && !view_awaited_)
+  if (isWanted() && new_volume && awaited_ == 0)
     QTimer::singleShot(static_cast<int>(after_ * 1000.0), this, &ScreenshotController::take);
 }
 
-void ScreenshotController::viewOpened(bool done) {
-  if (!std::exchange(view_awaited_, false)) return;
+void ScreenshotController::arrived(bool done) {
+  if (awaited_ == 0) return;
+  --awaited_;
   done ? prepare(true) : fail(tr("The view was not opened."));
 }
 
 void ScreenshotController::fail(const QString& sentence) {
-  view_awaited_ = false;
+  awaited_ = 0;
   if (!isWanted()) return;
   std::fprintf(stderr, "%s\n", qUtf8Printable(sentence));
   emit finished(3);

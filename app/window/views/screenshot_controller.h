@@ -20,10 +20,10 @@ class ScreenshotController : public QObject {
   ScreenshotController(ui::MainWindow& window, SharedState& shared, std::string path, double after);
 
   bool isWanted() const { return !path_.empty(); }
-  /// A view is being opened, and the picture is of it: until viewOpened() or fail(), scenes are
-  /// not.
-  void awaitView() { view_awaited_ = true; }
-  void viewOpened(bool done);
+  /// A view or structures are being opened, and the picture is of them: it waits for as many
+  /// arrived(), or fail().
+  void await() { ++awaited_; }
+  void arrived(bool done);
   /// A scene is shown.
   void prepare(bool new_volume);
   /// There is nothing to show, and why.
@@ -41,7 +41,7 @@ class ScreenshotController : public QObject {
   SharedState& shared_;
   std::string path_;
   double after_;
-  bool view_awaited_ = false;
+  int awaited_ = 0;
 };
 
 }  // namespace app

@@ -291,7 +291,7 @@ int Words::expectApartInSpace(Worded& worded, bool at_first) {
     if (banner->isVisible() && worded.inSpace(*banner).intersects(view.rect()))
       boxes.push_back({banner == &worded.found ? "offer" : "sentence", worded.inSpace(*banner)});
   const auto* pointed = view.parentWidget()->findChild<QLabel*>("pointed");
-  emit view.pointedChanged("1480 HU   L 102.4  P 113.5  S 108.2 mm");
+  emit view.pointedChanged("1480 HU   L 102.4  P 113.5  S 108.2 mm   Facial nerve, canal");
   EXPECT_TRUE(pointed->isVisible());
   const QRectF plate = worded.inSpace(*pointed);
   EXPECT_TRUE(view.rect().contains(plate.toRect()));

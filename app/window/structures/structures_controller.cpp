@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/window/structures/structures_controller.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <algorithm>
+#include <utility>
+
+#include "app/log/log.h"
+#include "app/window/scan/edited_volume.h"
+#include "app/window/scan/sentence.h"
+#include "datasets/labels/label_file.h"
+#include "datasets/labels/segments.h"
+#include "datasets/readers/volume_header.h"
+#include "datasets/readers/volume_reader.h"
+#include "ui/panels/structures_panel.h"
+#include "ui/views/volume_view.h"
+
+namespace app {
+namespace {
+
+// of all structures together, and of one
+constexpr std::int64_t kAllTriangles = 600'000, kLeastTriangles = 4'000, kMostTriangles = 60'000;
+
+/// What a file is, as far as its header tells beside the scan on view, which is at `place`. Cancel:
+/// the user knows.
+ui::OpenedAs kindOf(const std::filesystem::path& path, const haptics::Volume& scan,
+                    const std::filesystem::path& place) {
+  if (path == place || !datasets::isVolumeFile(path)) return ui::OpenedAs::Scan;
+  const auto segments = datasets::segmentsOf(path);
+  if (segments && !segments->empty()) return ui::OpenedAs::Structures;
+  const auto survey = datasets::survey(path);
+  const auto isLike = [&](const datasets::SeriesVerdict& series) {
+    return series.dims == scan.grid.dims &&
+           (series.spacing_mm - scan.grid.spacing * ui::kMmPerM).norm() < 1e-3;
+  };
+  return survey && std::ranges::all_of(survey->series, isLike) ? ui::OpenedAs::Cancel
+                                                               : ui::OpenedAs::Scan;
+}
+
+/// The map as views have it; the voxels' codes are shared.
+ui::StructureMap seenMapOf(const datasets::LabelMap& map) {
+  ui::StructureMap seen{.grid = map.grid(), .codes = map.sharedCodes(), .sets = {}};
+  for (int code = 0; code < map.codeCount(); ++code)
+    seen.sets.push_back(map.structuresOf(static_cast<std::uint8_t>(code)));
+  return seen;
+}
+
+}  // namespace
+
+StructuresController::StructuresController(ui::Views& views, ui::Messages& messages,
+                                           ui::Loading& loading, ui::Menus& menus,
+                                           ui::SidePanel& panels, SharedState& shared)
+    : views_(views),
+      messages_(messages),
+      loading_(loading),
+      panels_(panels),
+      shared_(shared),
+      panel_(new ui::StructuresPanel),
+      reader_([this](double fraction) { loading_.advance(fraction); }) {
+  panels.add(panel_, tr("Structures"), tr("Structures"), "structuresSection", ui::Tab::Scan);
+  connect(&menus, &ui::Menus::structuresWanted, this,
+          [this](const QString& path) { open(path.toStdString()); });
+  connect(&loading, &ui::Loading::cancelWanted, this, [this] { reader_.cancel(); });
+  connect(panel_, &ui::StructuresPanel::openWanted, &menus, &ui::Menus::askForStructures);
+  connectPanel();
+}
+
+void StructuresController::connectPanel() {
+  using ui::StructureLook;
+  using Panel = ui::StructuresPanel;
+  connect(panel_, &Panel::closeWanted, this, &StructuresController::close);
+  connect(panel_, &Panel::goToWanted, this, &StructuresController::goTo);
+  connect(panel_, &Panel::visibleChosen, this, [this](int number, bool visible) {
+    change(number, [&](StructureLook& look) { look.visible = visible; });
+  });
+  connect(panel_, &Panel::colourChosen, this, [this](int number, const QColor& colour) {
+    change(number, [&](StructureLook& look) { look.colour = colour; });
+  });
+  connect(panel_, &Panel::opacityChosen, this, [this](int number, double opacity) {
+    change(number, [&](StructureLook& look) { look.opacity = opacity; });
+  });
+  connect(panel_, &Panel::renamed, this, [this](int number, const QString& name) {
+    const std::string shown = datasets::shownName(name.toStdString());
+    change(number, [&](StructureLook& look) {
+      if (!shown.empty()) look.name = QString::fromStdString(shown);
+    });
+  });
+  connect(panel_, &Panel::aloneWanted, this, [this](int number) {
+    for (std::size_t n = 0; n < shown_.looks.size(); ++n)
+      shown_.looks[n].visible = static_cast<int>(n) == number;
+    show();
+  });
+  connect(panel_, &Panel::allWanted, this, [this](bool visible) {
+    for (StructureLook& look : shown_.looks) look.visible = visible;
+    show();
+  });
+  connect(panel_, &Panel::throughChosen, this, [this](bool on) {
+    shown_.through = on;
+    show();
+  });
+  connect(panel_, &Panel::filledChosen, this, [this](bool on) {
+    shown_.filled = on;
+    show();
+  });
+}
+
+template <class Change>
+void StructuresController::change(int number, Change&& change) {
+  if (number < 0 || number >= static_cast<int>(shown_.looks.size())) return;
+  change(shown_.looks[static_cast<std::size_t>(number)]);
+  show();
+}
+
+void StructuresController::show() {
+  views_.show(shown_);
+  panel_->show(shown_);
+}
+
+void StructuresController::sort(const QStringList& paths) {
+  if (!shared_.shown || paths.size() != 1) return emit scanWanted(paths);
+  const std::filesystem::path path = paths.first().toStdString();
+  // what is asked about the file waits for no disk here
+  sorter_.start(
+      [path, scan = scanOf(shared_.shown->volume()),
+       place = shared_.shown->place](const background::Watch&) -> haptics::Expected<ui::OpenedAs> {
+        return kindOf(path, *scan, place);
+      },
+      [this, paths, path](haptics::Expected<ui::OpenedAs> kind) {
+        ui::OpenedAs as = kind.value_or(ui::OpenedAs::Scan);
+        if (as == ui::OpenedAs::Cancel)
+          as = messages_.askHowToOpen(QFileInfo(paths.first()).fileName());
+        if (as == ui::OpenedAs::Structures) return open(path);
+        if (as == ui::OpenedAs::Scan) emit scanWanted(paths);
+      });
+}
+
+void StructuresController::open(const std::filesystem::path& path) {
+  if (!shared_.shown)
+    return messages_.showMessage(
+        tr("There is no scan yet; open the scan of the structures first."));
+  messages_.clear();
+  loading_.begin(tr("Reading the structures"));
+  reader_.start(
+      [path, scan = scanOf(shared_.shown->volume())](
+          const background::Watch& watch) -> haptics::Expected<Read> {
+        auto map = datasets::readLabels(
+            path, *scan,
+            {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel});
+        if (!map) return tl::unexpected(map.error());
+        auto seen = std::make_shared<const ui::StructureMap>(seenMapOf(*map));
+        auto boxes = ui::boxesOf(*seen, map->structures().size());
+        return Read{map->structures(), std::move(seen), std::move(boxes)};
+      },
+      [this](haptics::Expected<Read> read) {
+        loading_.end();
+        if (read) return take(std::move(*read));
+        if (read.error().kind == haptics::Error::Kind::Cancelled) return;
+        const QString why = sentenceOf(read.error());
+        messages_.showMessage(why);
+        emit refused(why);
+      });
+}
+
+void StructuresController::take(Read read) {
+  close();
+  shown_.map = std::move(read.map);
+  for (std::size_t n = 0; n < read.structures.size(); ++n) {
+    const datasets::Structure& structure = read.structures[n];
+    const auto& [red, green, blue] = structure.colour;
+    shown_.looks.push_back(
+        {.name = structure.name.empty() ? tr("Structure %1").arg(n + 1)
+                                        : QString::fromStdString(structure.name),
+         .colour = QColor::fromRgbF(static_cast<float>(red), static_cast<float>(green),
+                                    static_cast<float>(blue))});
+  }
+  log::write(log::Level::Info, "structures-opened", {{"structures", shown_.looks.size()}});
+  show();
+  panels_.reveal(panel_);
+  makeShapes(std::move(read.boxes));
+}
+
+void StructuresController::makeShapes(std::vector<haptics::VoxelBox> boxes) {
+  places_mm_.assign(boxes.size(), {});
+  maker_.start(
+      [this, map = shown_.map,
+       boxes = std::move(boxes)](const background::Watch& watch) -> haptics::Expected<bool> {
+        background::goLast();  // an edit or another scan comes first
+        const std::int64_t most =
+            std::clamp(kAllTriangles / static_cast<std::int64_t>(boxes.size()), kLeastTriangles,
+                       kMostTriangles);
+        for (std::size_t n = 0; n < boxes.size() && !watch.cancelled(); ++n) {
+          ui::StructureShape shape =
+              ui::shapeOf(*map, static_cast<std::uint8_t>(n), boxes[n], most, watch.cancel);
+          watch.tell([this, n, shape = std::move(shape)] {
+            places_mm_[n] = shape.places_mm;
+            if (shape.mesh) views_.volume().showShape(n, shape.mesh);
+          });
+        }
+        return true;
+      },
+      [this](const haptics::Expected<bool>&) { emit opened(); });
+}
+
+void StructuresController::close() {
+  maker_.abandon();
+  places_mm_.clear();
+  // how all of them are drawn stays
+  shown_.map.reset();
+  shown_.looks.clear();
+  show();
+}
+
+void StructuresController::showScene() {
+  panel_->setReady(shared_.shown.has_value());
+  if (!shared_.shown) return;
+  const auto scan = scanOf(shared_.shown->volume());
+  if (scan_.lock() == scan) return;
+  scan_ = scan;
+  sorter_.abandon();
+  reader_.abandon();
+  close();
+}
+
+void StructuresController::goTo(int number) {
+  if (number < 0 || number >= static_cast<int>(places_mm_.size())) return;
+  const auto& places = places_mm_[static_cast<std::size_t>(number)];
+  if (places.empty()) return;  // nothing of it lies in the scan, or its shape is being made
+  views_.setCross(places.front());
+  views_.volume().lookAtPlaces(places);
+}
+
+}  // namespace app

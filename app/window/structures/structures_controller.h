@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "app/background/task.h"
+#include "app/window/scan/shared_state.h"
+#include "datasets/labels/label_map.h"
+#include "ui/props/structure_shape.h"
+#include "ui/window/loading.h"
+#include "ui/window/menus.h"
+#include "ui/window/messages.h"
+#include "ui/window/side_panel.h"
+#include "ui/window/views.h"
+
+namespace ui {
+class StructuresPanel;
+}
+
+namespace app {
+
+/// Panel "Structures": which structures lie in the scan on view, read from a file beside it, and
+/// how they are seen. They go with their scan. Their names go to the screen alone.
+class StructuresController : public QObject {
+  Q_OBJECT
+ public:
+  StructuresController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
+                       ui::Menus& menus, ui::SidePanel& panels, SharedState& shared);
+
+  /// Reads the structures of the scan on view, in the background. What was there before stays until
+  /// they are known, and if the file is refused.
+  void open(const std::filesystem::path& path);
+  /// What was dropped on the window: structures of the scan on view are opened; for all else,
+  /// scanWanted() comes, at once or after a look at the file.
+  void sort(const QStringList& paths);
+  /// Call it when a scene is on view.
+  void showScene();
+  const ui::Structures& shown() const { return shown_; }
+
+ signals:
+  void scanWanted(const QStringList& paths);
+  /// Structures are on view, in 3-D too.
+  void opened();
+  /// A file was refused, and why, for the user.
+  void refused(const QString& sentence);
+
+ private:
+  /// What is read and made of a file.
+  struct Read {
+    std::vector<datasets::Structure> structures;
+    std::shared_ptr<const ui::StructureMap> map;
+    std::vector<haptics::VoxelBox> boxes;
+  };
+
+  void connectPanel();
+  void take(Read read);
+  void close();
+  void makeShapes(std::vector<haptics::VoxelBox> boxes);
+  void goTo(int number);
+  /// Changes how a structure is seen, and shows it.
+  template <class Change>
+  void change(int number, Change&& change);
+  void show();
+
+  ui::Views& views_;
+  ui::Messages& messages_;
+  ui::Loading& loading_;
+  ui::SidePanel& panels_;
+  SharedState& shared_;
+  ui::StructuresPanel* panel_;
+  std::weak_ptr<const haptics::Volume> scan_;  ///< on view
+  ui::Structures shown_;
+  std::vector<std::vector<Eigen::Vector3d>>
+      places_mm_;  ///< of each structure; empty: not yet known
+  background::Task<Read> reader_;
+  background::Task<bool> maker_;  ///< of shapes
+  background::Task<ui::OpenedAs> sorter_;
+};
+
+}  // namespace app
