@@ -155,8 +155,7 @@ Outcome withLabels(const InfoOptions& all, const haptics::Volume& volume,
   datasets::LabelReading reading = all.reading;
   reading.of = scan;
   for (const std::string& path : all.labels) {
-    const auto labels =
-        datasets::readLabels(path, volume, {.cancel = &interruption()}, reading);
+    const auto labels = datasets::readLabels(path, volume, {.cancel = &interruption()}, reading);
     if (!labels) return refused(labels.error());
     ordered_json one{{"structures", listed(*labels, all.names)}};
     for (const haptics::Message& note : labels->notes())

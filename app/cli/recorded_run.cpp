@@ -10,6 +10,7 @@
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/recording/facts.h"
+#include "app/recording/felt_words.h"
 #ifdef PALPATE_READERS
 #include "app/recording/volume_hash.h"
 #include "resources/messages/messages.h"
@@ -58,6 +59,7 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   const auto id = static_cast<std::uint32_t>(loop.scene->id);
   (*recorder)->describe(loop.scene, std::move(tool));
   if (const auto hash = hashHere(*loop.scene->volume)) (*recorder)->identify(id, *hash);
+  if (loop.watch && loop.watch->isFelt()) (*recorder)->note(kFeltEvent, wordsOf(*loop.watch), 1.0);
   loop.on_start = [&ring = (*recorder)->ring(), id, limits = loop.limits,
                    rate = loop.rate](const haptics::Pose& X) {
     ring.start({.scene = id, .X_WP = X, .limits = limits, .safety = {}, .rate = rate});

@@ -150,7 +150,7 @@ void addReplay(CLI::App& program, Chosen& chosen) {
       ->check(notEmpty());
   addReading(*command, options->volume);
 #ifdef PALPATE_READERS
-  addWatching(*command, options->watch);
+  addWatching(*command, options->watch, false);
 #endif
   command->callback([options, &chosen] { chosen = [options] { return replay(*options); }; });
 }

@@ -548,7 +548,7 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(CLI::IsMember(servoRates()))
       ->capture_default_str();
 #ifdef PALPATE_READERS
-  addWatching(*command, options->watch);
+  addWatching(*command, options->watch, true);
 #endif
   command->add_option("--trace", options->trace, "CSV to write, one row per tick")
       ->check(notEmpty());

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/watching.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "app/cli/interrupts.h"
 #include "app/cli/options.h"
@@ -24,9 +27,40 @@ tl::unexpected<haptics::Error> notThere(haptics::Message why) {
 /// Metres as millimetres, to the nanometre.
 double mm(double metres) { return std::round(metres * 1e9) / 1e6; }
 
+/// "3=softer:300" as the structure's number and how it is felt.
+Expected<std::pair<int, haptics::Feel>> feelFrom(const std::string& text) {
+  const auto wrong = [&] { return notThere({"feel-unreadable", {text}}); };
+  std::vector<double> numbers;
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) return wrong();
+  std::size_t at = text.find(':');
+  const std::string kind = text.substr(equals + 1, at == std::string::npos ? at : at - equals - 1);
+  while (at != std::string::npos) {
+    const std::size_t next = text.find(':', at + 1);
+    double number = 0.0;
+    const char* const end = text.data() + std::min(next, text.size());
+    const auto read = std::from_chars(text.data() + at + 1, end, number);
+    if (read.ec != std::errc{} || read.ptr != end || !(number > 0.0 && number < 1e5))
+      return wrong();
+    numbers.push_back(number);
+    at = next;
+  }
+  int structure = 0;
+  const auto read = std::from_chars(text.data(), text.data() + equals, structure);
+  if (read.ec != std::errc{} || read.ptr != text.data() + equals) return wrong();
+  if (kind == "softer" && numbers.size() == 1)
+    return std::pair{structure,
+                     haptics::Feel{.kind = haptics::Feel::Kind::Softer, .stiffness = numbers[0]}};
+  if (kind == "guarded" && numbers.size() == 2 && numbers[0] <= 20.0)
+    return std::pair{structure, haptics::Feel{.kind = haptics::Feel::Kind::Guarded,
+                                              .margin = 1e-3 * numbers[0],
+                                              .most = numbers[1]}};
+  return wrong();
+}
+
 }  // namespace
 
-void addWatching(CLI::App& command, WatchChoice& choice) {
+void addWatching(CLI::App& command, WatchChoice& choice, bool felt) {
   CLI::Option* labels =
       command.add_option("--labels", choice.labels, "A label map of the scan, as info reads it")
           ->check(notEmpty());
@@ -37,6 +71,13 @@ void addWatching(CLI::App& command, WatchChoice& choice) {
       ->delimiter(',')
       ->needs(labels)
       ->check(wholeNumber(1, int(datasets::kMostStructures)));
+  if (felt)
+    command
+        .add_option("--feel", choice.feels,
+                    "How a structure that is watched is felt: N=softer:STIFFNESS [N/m], "
+                    "N=guarded:MARGIN:MOST [mm, N]; repeat it for more than one")
+        ->allow_extra_args(false)
+        ->needs(labels);
 }
 
 Expected<std::shared_ptr<const Watch>> watchOver(const WatchChoice& choice,
@@ -62,6 +103,16 @@ Expected<std::shared_ptr<const Watch>> watchOver(const WatchChoice& choice,
         datasets::distancesTo(*labels, structure, options, [](double) { return !interrupted(); });
     if (!map) return tl::unexpected(map.error());
     watch->structures.push_back({structure, std::move(*map)});
+  }
+  for (const std::string& text : choice.feels) {
+    const auto feel = feelFrom(text);
+    if (!feel) return tl::unexpected(feel.error());
+    const auto found = std::ranges::find_if(watch->structures, [&](const Watch::Watched& watched) {
+      return numberOf(watched) == feel->first;
+    });
+    if (found == watch->structures.end())
+      return notThere({"watch-no-structure", {std::to_string(feel->first), std::to_string(count)}});
+    found->feel = feel->second;
   }
   return watch;
 }

@@ -15,12 +15,15 @@ namespace app::cli {
 struct WatchChoice {
   std::string labels = {};           ///< a label map of the scan; empty: none is watched
   std::vector<int> structures = {};  ///< counted from 1, as info counts them; empty: all
+  /// How a structure is felt: "3=softer:300" [N/m], "2=guarded:2:1.5" [mm, N].
+  std::vector<std::string> feels = {};
 };
-/// Adds --labels and --watch.
-void addWatching(CLI::App& command, WatchChoice& choice);
+/// Adds --labels and --watch, and --feel where it is felt.
+void addWatching(CLI::App& command, WatchChoice& choice, bool felt);
 
 /// The structures with their distance maps; null where none is watched. Refuses what readLabels()
-/// refuses, a number that no structure has, and more structures than a run can watch.
+/// refuses, a number that no structure has, and more structures than a run can watch; and what is
+/// no --feel.
 haptics::Expected<std::shared_ptr<const haptics::Watch>> watchOver(const WatchChoice& choice,
                                                                    const haptics::Volume& scan);
 

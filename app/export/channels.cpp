@@ -212,6 +212,7 @@ ordered_json kindsOfEvents() {
           {"hand", "Another hand holds the device"},
           {"mark", "The user set a mark, with a note"},
           {"edit", "A part of the scan was taken away or brought back: the command is in the note"},
+          {"structures", "Structures are felt otherwise: the note lists them; 1: from the beginning"},
           {"camera", "The view moved"}};
 }
 

@@ -575,10 +575,11 @@ void Recorder::describe(std::shared_ptr<const haptics::Scene> scene, std::string
 void Recorder::identify(std::uint64_t scene, const VolumeHash& hash) { writer_->tell(scene, hash); }
 void Recorder::stateVoxels(const std::string& sha256) { writer_->stateVoxels(sha256); }
 void Recorder::hurry() { writer_->hurry(); }
-void Recorder::note(std::string kind, std::string text) {
+void Recorder::note(std::string kind, std::string text, std::optional<double> value) {
   writer_->tell(Writer::Event{.time_ns = haptics::monotonicNs() - writer_->ring.begun(),
                               .kind = std::move(kind),
-                              .text = std::move(text)});
+                              .text = std::move(text),
+                              .value = value});
 }
 RecorderStatus Recorder::status() const { return writer_->status(); }
 haptics::Expected<fs::path> Recorder::finish() { return writer_->finish(); }

@@ -69,8 +69,9 @@ class Recorder {
   void identify(std::uint64_t scene, const VolumeHash& hash);
   /// States which voxels are touched: openHashOfVoxels().
   void stateVoxels(const std::string& sha256);
-  /// Records an event of this moment: "mark" with a note, "camera", "device".
-  void note(std::string kind, std::string text);
+  /// Records an event of this moment: "mark" with a note, "camera",
+  /// "device", kFeltEvent.
+  void note(std::string kind, std::string text, std::optional<double> value = {});
   RecorderStatus status() const;
   /// Writes at once. For a thread that fills the ring and can wait when it is full; not for a servo
   /// thread.

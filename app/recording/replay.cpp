@@ -6,7 +6,9 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <vector>
 
+#include "app/recording/felt_words.h"
 #include "datasets/edits/edited.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/servo_tick.h"
@@ -57,6 +59,37 @@ void compareDistances(const RecordedStep& recorded, const haptics::Watch& watch,
   }
 }
 
+/// How structures were felt, from event to event.
+class FeltThen {
+ public:
+  FeltThen(const Recording& recording, const haptics::Watch* watch) : watch_{watch} {
+    for (const RecordedEvent& event : recording.events())
+      if (event.kind == kFeltEvent) events_.push_back(&event);
+  }
+  /// At a start: what was felt at this time, or since the recording began.
+  haptics::Expected<void> begin(std::int64_t time_ns) {
+    while (next_ < events_.size() &&
+           (events_[next_]->value.has_value() || events_[next_]->time_ns <= time_ns))
+      if (auto moved = move(); !moved) return moved;
+    return {};
+  }
+  /// The next of them.
+  haptics::Expected<void> move() {
+    if (next_ == events_.size()) return {};
+    auto felt = feltAsSaid(events_[next_++]->text, watch_ ? *watch_ : haptics::Watch{});
+    if (!felt) return tl::unexpected(felt.error());
+    felt_ = std::move(*felt);
+    return {};
+  }
+  const haptics::Watch* watch() const { return felt_.isFelt() ? &felt_ : nullptr; }
+
+ private:
+  const haptics::Watch* watch_;
+  std::vector<const RecordedEvent*> events_;
+  std::size_t next_ = 0;
+  haptics::Watch felt_;
+};
+
 }  // namespace
 
 haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
@@ -84,6 +117,8 @@ haptics::Expected<ReplayDifference> replay(
   bool cancelled = false;
   std::int64_t until_told = 0;
   std::uint64_t expected = 0;
+  FeltThen felt{recording, watch};
+  std::optional<haptics::Error> failed;
   const auto each = [&](const RecordedStep& recorded) {
     const haptics::Step& step = recorded.step;
     if (--until_told < 0) {
@@ -96,6 +131,10 @@ haptics::Expected<ReplayDifference> replay(
     expected = step.sequence + 1;
     while (start != recording.starts().end() && start->sequence <= step.sequence) {
       if (start->sequence == step.sequence) {
+        if (auto found = felt.begin(step.time_ns); !found) {
+          failed = found.error();
+          return false;
+        }
         safety.emplace(start->limits, start->safety);
         rate = start->rate;
         touched.reset();
@@ -116,13 +155,23 @@ haptics::Expected<ReplayDifference> replay(
       ++difference.skipped;
       return true;
     }
+    if ((step.flags & haptics::StepFlags::kWatchMoved) != 0)
+      if (auto found = felt.move(); !found) {
+        failed = found.error();
+        return false;
+      }
     // as much work as then, where it was cut then
     haptics::Budget budget = haptics::Budget::counted(
         step.cut_at > 0 ? step.cut_at : std::numeric_limits<std::int64_t>::max());
     haptics::Engagement* const engaged = step.scene == 0 ? nullptr : touched.get();
-    const haptics::ServoResult result = haptics::servoTick(
-        {step.X_WD, step.settings, step.flags}, engaged ? engaged->scene.get() : nullptr,
-        engaged ? &engaged->proxy : nullptr, *safety, rate.period(), budget);
+    const haptics::ServoResult result =
+        haptics::servoTick({.X_WD = step.X_WD,
+                            .settings = step.settings,
+                            .flags = step.flags,
+                            .watch = felt.watch(),
+                            .felt = engaged ? &engaged->felt : nullptr},
+                           engaged ? engaged->scene.get() : nullptr,
+                           engaged ? &engaged->proxy : nullptr, *safety, rate.period(), budget);
     compare(recorded, engaged ? engaged->proxy.X_WP : step.X_WD, result.sent_W, difference);
     if (watch != nullptr && engaged != nullptr)
       compareDistances(recorded, *watch, *engaged->scene, engaged->proxy.X_WP, difference);
@@ -131,6 +180,7 @@ haptics::Expected<ReplayDifference> replay(
   const double everything = std::numeric_limits<double>::infinity();
   if (auto read = recording.forEach(-everything, everything, each); !read)
     return tl::unexpected(read.error());
+  if (failed) return tl::unexpected(*failed);
   if (cancelled)
     return tl::unexpected(
         haptics::Error{haptics::Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});

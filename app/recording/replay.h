@@ -42,6 +42,7 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
 /// with a number, or null if it is not available; it is called once for each scene. `goes_on` is
 /// called with the completed fraction. If it returns false, the replay ends with reason
 /// "cancelled". `watch`: structures to which distances are measured and compared; may be null.
+/// Refuses ("no-structures") a recording in which structures were felt that are not in it.
 haptics::Expected<ReplayDifference> replay(
     Recording& recording,
     const std::function<std::shared_ptr<const haptics::Scene>(std::uint32_t)>& scene,

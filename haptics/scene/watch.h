@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,12 @@ struct Watch {
     Feel feel = {};
   };
   std::vector<Watched> structures;  ///< at most kMostWatched
+
+  /// Whether one of them is felt otherwise than the scan has it.
+  bool isFelt() const HAPTICS_RT {
+    return std::ranges::any_of(
+        structures, [](const Watched& watched) { return watched.feel.kind != Feel::Kind::AsScan; });
+  }
 };
 
 /// The shell point that is nearest to a structure, and its distance [m]. The index is in the

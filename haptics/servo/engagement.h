@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "haptics/core/realtime.h"
+#include "haptics/proxy/felt.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/scene/scene.h"
 
@@ -19,6 +20,7 @@ struct Engagement {
       : scene{std::move(adopted)}, proxy{*scene, X_start} {}
   std::shared_ptr<const Scene> scene;
   Proxy proxy;
+  Felt felt;  ///< what structures make of its wrench
   /// The mouse's grip comes along to the proxy's pose, and the mouse pulls to this one; none: it
   /// stays. A real device always stays: its mapping moves.
   std::optional<Pose> X_WH = {};

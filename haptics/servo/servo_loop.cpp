@@ -146,7 +146,7 @@ void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   const ServoResult result = feel(period, budget);
   push(result.sent_W, period);
   noteTransitions(time);
-  measureNearness(period.engaged);
+  measureNearness(period);
   period.cpu_ns = Budget::threadTime() - begun;
   publish(period, result, time);
   if (period.ring != nullptr) record(period, budget);
@@ -170,6 +170,13 @@ ServoLoop::Period ServoLoop::takeWishes(std::int64_t now) HAPTICS_RT {
   period.ring = recording.load(std::memory_order_acquire);
   if (period.ring != nullptr && (adopted || period.ring->startIsDue()))
     startRecording(*period.ring, period.engaged);
+  period.watch = watch.load(std::memory_order_acquire);
+  if (period.watch != watched_) {
+    const bool felt = period.watch != nullptr && period.watch->isFelt();
+    period.raise(StepFlags::kWatchMoved, felt || felt_);
+    watched_ = period.watch;
+    felt_ = felt;
+  }
   period.raise(StepFlags::kAdopted, adopted);
   period.raise(StepFlags::kSettingMoved, moved);
   period.raise(StepFlags::kStiffnessMoved, stiffened);
@@ -182,7 +189,11 @@ ServoLoop::Period ServoLoop::takeWishes(std::int64_t now) HAPTICS_RT {
 ServoResult ServoLoop::feel(Period& period, Budget& budget) HAPTICS_RT {
   if (period.has(StepFlags::kLost)) period.engaged = nullptr;
   Engagement* const engaged = period.engaged;
-  return servoTick({X_WD_, in_force_, period.flags},
+  return servoTick({.X_WD = X_WD_,
+                    .settings = in_force_,
+                    .flags = period.flags,
+                    .watch = period.watch,
+                    .felt = engaged != nullptr ? &engaged->felt : nullptr},
                    engaged != nullptr ? engaged->scene.get() : nullptr,
                    engaged != nullptr ? &engaged->proxy : nullptr, safety_, rate_.period(), budget);
 }
@@ -232,10 +243,9 @@ void ServoLoop::publish(const Period& period, const ServoResult& result, double 
                       static_cast<float>(result.sent_W.torque.norm())});
 }
 
-void ServoLoop::measureNearness(const Engagement* engaged) HAPTICS_RT {
-  const Watch* const watched = watch.load(std::memory_order_acquire);
-  if (watched != nullptr && engaged != nullptr)
-    measure(*watched, *engaged->scene, engaged->proxy.X_WP, snapshot_.near);
+void ServoLoop::measureNearness(const Period& period) HAPTICS_RT {
+  if (period.watch != nullptr && period.engaged != nullptr)
+    measure(*period.watch, *period.engaged->scene, period.engaged->proxy.X_WP, snapshot_.near);
   else
     snapshot_.near.clear();
 }
@@ -259,6 +269,7 @@ void ServoLoop::startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT {
   start.rate = rate_;
   if (touched != nullptr) {
     touched->proxy.forget();
+    touched->felt.forget();
     start.scene = static_cast<std::uint32_t>(touched->scene->id);
     start.X_WP = touched->proxy.X_WP;
     start.turn = touched->proxy.turn;

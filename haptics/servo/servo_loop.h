@@ -89,6 +89,7 @@ class ServoLoop {
     std::uint16_t flags = 0;        ///< StepFlags
     Engagement* engaged = nullptr;  ///< scene and proxy; null: no scene, or the device is lost
     StepRing* ring = nullptr;       ///< null: not recorded
+    const Watch* watch = nullptr;   ///< structures that are watched; null: none
     std::int64_t read_at = 0;       ///< ns, monotonic; set only if recorded
     std::int64_t cpu_ns = 0;
 
@@ -111,7 +112,7 @@ class ServoLoop {
   void noteTransitions(double time) HAPTICS_RT;
   void publish(const Period& period, const ServoResult& result, double time) HAPTICS_RT;
   /// Puts the distances to the watched structures into the snapshot.
-  void measureNearness(const Engagement* engaged) HAPTICS_RT;
+  void measureNearness(const Period& period) HAPTICS_RT;
   /// Puts the places of the contacts into the snapshot.
   void notePlaces(const Proxy& proxy) HAPTICS_RT;
   void startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT;
@@ -124,7 +125,9 @@ class ServoLoop {
   TickStats stats_;
   Snapshot snapshot_;
   DeviceReading reading_;
-  bool lost_ = false;  ///< the device is lost permanently
+  bool lost_ = false;               ///< the device is lost permanently
+  const Watch* watched_ = nullptr;  ///< in the last tick
+  bool felt_ = false;               ///< some of its structures
   Pose X_WD_ = Pose::Identity();
   std::unique_ptr<Guard> guard_;  ///< null: not a real device
   Step step_;

@@ -41,6 +41,10 @@ ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy,
                          : has(StepFlags::kStalled) ? ForceReason::Stalled
                                                     : ForceReason::None,
                 .adopted = has(StepFlags::kAdopted)});
+  if (has(StepFlags::kWatchMoved)) {
+    safety.settingMoved(false);
+    if (input.felt != nullptr) input.felt->forget();
+  }
   if (has(StepFlags::kSettingMoved)) safety.settingMoved(has(StepFlags::kStiffnessMoved));
   safety.moved(input.X_WD, input.settings.position_scale, period);
   const double share = safety.stiffnessShare();
@@ -50,6 +54,10 @@ ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy,
                        {share * input.settings.stiffness, share * input.settings.angular_stiffness,
                         input.settings.friction},
                        input.X_WD, *proxy, budget, period);
+  if (ready && input.watch != nullptr)
+    result.tick.wrench_W =
+        input.felt->shaped(*input.watch, *scene, *proxy, input.X_WD,
+                           share * input.settings.stiffness, result.tick.wrench_W, period);
   const Wrench wanted = input.hook == nullptr
                             ? result.tick.wrench_W
                             : input.hook->shaped(result.tick.wrench_W, input.X_WD, period);

@@ -6,6 +6,7 @@
 #include "haptics/core/realtime.h"
 #include "haptics/coupling/safety.h"
 #include "haptics/devices/ratings.h"
+#include "haptics/proxy/felt.h"
 #include "haptics/proxy/tick.h"
 #include "haptics/settings.h"
 
@@ -27,8 +28,10 @@ class WrenchHook {
 struct ServoInput {
   const Pose& X_WD;  ///< as read from the device
   const Settings& settings;
-  std::uint16_t flags = 0;     ///< StepFlags
-  WrenchHook* hook = nullptr;  ///< null in the live loop and in a replay
+  std::uint16_t flags = 0;       ///< StepFlags
+  WrenchHook* hook = nullptr;    ///< null in the live loop and in a replay
+  const Watch* watch = nullptr;  ///< structures that are felt; null: none
+  Felt* felt = nullptr;          ///< of the proxy; not null where there is a watch
 };
 
 /// Limits of a device's force in the live loop: its rating, a ramp of one second, and the shortest

@@ -59,6 +59,7 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   PassivityObserver observer;  // at the handle, of what really acts there
   Wrench held;
   Nearnesses near;
+  Felt felt;
   for (std::int64_t n = 0; n < ticks; ++n) {
     const double time = double(n) * period;
     const Pose X_WH_before = device.X_WD;
@@ -73,8 +74,8 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
     Budget budget = Budget::counted(budget_work > 0 ? budget_work : rate.budget_work());
     const std::int64_t begun = Budget::threadTime();
     const ServoResult result =
-        servoTick({X_WD, settings, StepFlags::kArmed, hooked ? &hook : nullptr}, scene.get(),
-                  &proxy, safety, period, budget);
+        servoTick({X_WD, settings, StepFlags::kArmed, hooked ? &hook : nullptr, watch.get(), &felt},
+                  scene.get(), &proxy, safety, period, budget);
     if (watch) measure(*watch, *scene, proxy.X_WP, near);
     const std::int64_t ended = Budget::threadTime();
     held = link.carry(result.sent_W, device.X_WD);

@@ -11,6 +11,10 @@ inline constexpr Row kApp[] = {
      "The label map has no structure %1 with voxels in the scan; of its %2, info --labels tells "
      "which have.",
      "unknown-name"},
+    {"feel-unreadable",
+     "\"%1\" is no way to feel a structure; write its number and how, such as 3=softer:300 or "
+     "2=guarded:2:1.5.",
+     "unknown-name"},
     {"watch-too-many",
      "Distances to %1 structures are too many at a time; name %2 of them at most, with --watch.",
      "unknown-name"},

@@ -55,6 +55,9 @@ inline constexpr Row kRecordings[] = {
      "\"%1\" cannot be recovered: the file has another name too, and would be changed under it; "
      "recover a copy.",
      "beside"},
+    {"replay-structure-missing",
+     "Structure %1 was felt in this recording; give the label map, with --labels, and watch it.",
+     "no-structures"},
     {"replay-other-edits",
      "What was taken away from the scan in the recording comes out otherwise here: the scan or "
      "this version of Palpate is another; replay with the version that recorded it.",

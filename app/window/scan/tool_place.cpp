@@ -16,7 +16,7 @@ namespace {
 using haptics::Pose;
 using haptics::Vec3;
 
-constexpr double kSearch = 0.030;     // m: how far the nearest surface is sought
+constexpr double kSearch = 0.030;  // m: how far the nearest surface is sought
 constexpr int kSearchDirections = 64;
 constexpr double kLeastStandOff = 0.0005;  // m between surface and tip
 constexpr double kMostStandOff = 0.030;    // m

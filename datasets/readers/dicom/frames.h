@@ -20,7 +20,8 @@ class FileFrames {
   FileFrames& operator=(const FileFrames&) = delete;
   virtual ~FileFrames() = default;
   /// Of one of the file's frames, until the next is asked for; a byte for each pixel of one bit.
-  virtual haptics::Expected<Pixels> pixelsOf(const DicomFile& frame, const ReadProgress& progress) = 0;
+  virtual haptics::Expected<Pixels> pixelsOf(const DicomFile& frame,
+                                             const ReadProgress& progress) = 0;
 };
 
 /// Those of a file; the decoders must outlive them.

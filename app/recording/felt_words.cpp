@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/recording/felt_words.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "haptics/process/input_file.h"
+
+namespace app {
+namespace {
+
+using haptics::Feel;
+using nlohmann::ordered_json;
+
+/// A number of an object; none where it is not there or not above 0.
+std::optional<double> positive(const ordered_json& object, const char* name) {
+  if (!object.contains(name) || !object[name].is_number()) return {};
+  const auto number = object[name].get<double>();
+  if (!(number > 0.0 && number < 1e6)) return {};
+  return number;
+}
+
+std::optional<Feel> feelFrom(const ordered_json& said) {
+  if (!said.contains("feel")) return {};
+  if (said["feel"] == "softer") {
+    const auto stiffness = positive(said, "stiffness");
+    if (!stiffness) return {};
+    return Feel{.kind = Feel::Kind::Softer, .stiffness = *stiffness};
+  }
+  const auto margin = positive(said, "margin"), most = positive(said, "most");
+  if (said["feel"] != "guarded" || !margin || !most) return {};
+  return Feel{.kind = Feel::Kind::Guarded, .margin = *margin, .most = *most};
+}
+
+}  // namespace
+
+std::string wordsOf(const haptics::Watch& watch) {
+  ordered_json all = ordered_json::array();
+  for (const haptics::Watch::Watched& watched : watch.structures) {
+    const Feel& feel = watched.feel;
+    if (feel.kind == Feel::Kind::AsScan) continue;
+    ordered_json one{{"number", watched.structure + 1}};
+    if (feel.kind == Feel::Kind::Softer)
+      one.update({{"feel", "softer"}, {"stiffness", feel.stiffness}});
+    else
+      one.update({{"feel", "guarded"}, {"margin", feel.margin}, {"most", feel.most}});
+    all.push_back(std::move(one));
+  }
+  return all.empty() ? std::string{} : all.dump();
+}
+
+haptics::Expected<haptics::Watch> feltAsSaid(const std::string& words,
+                                             const haptics::Watch& watch) {
+  haptics::Watch felt = watch;
+  for (haptics::Watch::Watched& watched : felt.structures) watched.feel = {};
+  if (words.empty()) return felt;
+  const auto damaged = [] {
+    return tl::unexpected(
+        haptics::Error{haptics::Error::Kind::Malformed, {"recording-damaged", {}}, "damaged"});
+  };
+  const ordered_json said = haptics::isNestedDeeper(words, 3)
+                                ? ordered_json{}
+                                : ordered_json::parse(words, nullptr, false);
+  if (!said.is_array()) return damaged();
+  for (const ordered_json& one : said) {
+    if (!one.is_object() || !one.contains("number") || !one["number"].is_number_integer())
+      return damaged();
+    const auto feel = feelFrom(one);
+    if (!feel) return damaged();
+    const auto number = one["number"].get<std::int64_t>();
+    const auto at = std::ranges::find_if(
+        felt.structures, [&](const auto& watched) { return watched.structure + 1 == number; });
+    if (at == felt.structures.end())
+      return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
+                                           {"replay-structure-missing", {std::to_string(number)}},
+                                           "no-structures"});
+    at->feel = *feel;
+  }
+  return felt;
+}
+
+}  // namespace app
