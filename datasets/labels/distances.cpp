@@ -199,7 +199,7 @@ Expected<DistanceMap> distancesTo(const LabelMap& labels, std::uint8_t structure
   constexpr int kPasses = 10;
   const Grid& scan = labels.grid();
   std::array<bool, 256> belongs{};
-  for (std::size_t code = 0; code < labels.setCount(); ++code)
+  for (std::size_t code = 0; code < std::size_t(labels.codeCount()); ++code)
     belongs[code] = std::ranges::binary_search(labels.structuresOf(std::uint8_t(code)), structure);
   const haptics::VoxelBox box = boxOf(labels, belongs);
 

@@ -50,7 +50,6 @@ class LabelMap {
   int codeCount() const { return static_cast<int>(sets_.size()); }
   /// Which structures a code stands for, by their numbers, in ascending order.
   const std::vector<std::uint8_t>& structuresOf(std::uint8_t code) const { return sets_[code]; }
-  std::size_t setCount() const { return sets_.size(); }  ///< codes that stand for something
   const std::vector<Structure>& structures() const { return structures_; }
   /// Sentences about parts of the file that are not in the map.
   const std::vector<haptics::Message>& notes() const { return notes_; }

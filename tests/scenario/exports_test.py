@@ -431,6 +431,21 @@ def holds_distances(folder):
         said = cli("replay", f"{name}.palpate", "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd")
         check(said["differing"] == 0 and said["distances"] == 2 * rate and said["differing_distances"] == 0,
               f"a replay with structures: {said}")
+    # felt otherwise, and still the same in a replay; without the structures it says what it lacks
+    felt = folder / "felt.palpate"
+    force = {}
+    for name, feels in (("as", ()), ("felt", ("--feel", "1=softer:200", "--feel", "3=guarded:15:2"))):
+        force[name] = cli("run", "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd", "--isovalue", 0,
+                          "--tool", "probe", "--hand", "slide", "--seconds", 1, "--stiffness", 1000,
+                          *(("--record", felt) if feels else ()), *feels)["max_force_N"]
+    check(force["as"] != force["felt"], f"structures are felt as the scan has them: {force}")
+    said = cli("replay", felt, "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd")
+    check(said["steps"] == 1000 and said["differing"] == 0 == said["differing_distances"], f"a replay of what was felt: {said}")
+    cli("replay", felt, "--volume", folder / "scan.nrrd", expect=3)
+    cli("replay", felt, "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd", "--watch", 1, expect=3)
+    for wrong in ("1=softer", "1=softer:0", "x=softer:1", "1=guarded:25:1", "9=softer:1", "1=softer:1:2", "1=hard:1"):
+        cli("run", "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd", "--feel", wrong, "--isovalue", 0, "--tool",
+            "probe", "--hand", "slide", "--seconds", 1, "--stiffness", 1000, expect=2)
     explained = json.loads((folder / "watched1000.table.columns.json").read_text())["columns"]["tip_to_3"]
     check(explained["unit"] == "m" and "structure 3" in explained["meaning"], f"csv explains {explained}")
 
