@@ -41,6 +41,7 @@ using haptics::Vec3;
 using ui::Arrangement;
 using ui::Plane;
 using ui::style::Theme;
+using window::waitFor;
 
 /// A head of 1 mm voxels about the origin, with skin, skull and brain, in air.
 std::shared_ptr<const haptics::Volume> madeHead() {
