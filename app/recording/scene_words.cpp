@@ -222,6 +222,7 @@ void takeSettings(const json& words, const SceneWords& stored, RecordedScene& sc
   if (shell.points.empty() || !shell.inertia.allFinite() || !shell.origin.allFinite() ||
       !std::isfinite(shell.radius))
     throw json::other_error::create(501, "no shell", nullptr);
+  shell.tip = haptics::tipOf(shell.points);
 }
 
 void takeVolume(const json& words, haptics::Volume& volume) {

@@ -44,15 +44,15 @@ NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose
   return nearestOf(map, scene.tree, {map, X_WT}, below);
 }
 
-void measure(const Watch& watch, const Scene& scene, const Pose& X_WP,
+void measure(const Watch& watch, const ShellTree& tree, const Vec3& tip, const Pose& X_WP,
              Nearnesses& measured) HAPTICS_RT {
   measured.clear();
   for (const Watch::Watched& watched : watch.structures) {
     const DistanceMap& map = watched.distances;
     const ToSamples to{map, X_WP};
-    const double tip = std::min(map.atIndex(to(scene.tool.shell.tip)), map.told());
-    const double nearest = nearestOf(map, scene.tree, to, map.told()).distance;
-    if (!measured.push({watched.structure, float(tip), float(nearest)})) break;
+    const double of_tip = std::min(map.atIndex(to(tip)), map.told());
+    const double nearest = nearestOf(map, tree, to, map.told()).distance;
+    if (!measured.push({watched.structure, float(of_tip), float(nearest)})) break;
   }
 }
 

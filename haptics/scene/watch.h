@@ -53,10 +53,14 @@ struct NearestPoint {
 NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
                           double below) HAPTICS_RT;
 
-/// Measures the distances of the tool at X_WP to every structure of the watch. The same watch, tool
-/// and pose give the same bits. Nearest is the least over all shell points; the tree leaves out
-/// those that cannot be it.
-void measure(const Watch& watch, const Scene& scene, const Pose& X_WP,
+/// Measures the distances of the tool at X_WP to every structure of the watch: of its tip, in the
+/// tool frame [m], and the least over all of its points, which are in the tree; it leaves out those
+/// that cannot be it. The same watch, tool and pose give the same bits.
+void measure(const Watch& watch, const ShellTree& tree, const Vec3& tip, const Pose& X_WP,
              Nearnesses& measured) HAPTICS_RT;
+inline void measure(const Watch& watch, const Scene& scene, const Pose& X_WP,
+                    Nearnesses& measured) HAPTICS_RT {
+  measure(watch, scene.tree, scene.tool.shell.tip, X_WP, measured);
+}
 
 }  // namespace haptics

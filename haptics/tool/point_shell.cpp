@@ -60,7 +60,8 @@ std::vector<Vec3> sampleByArea(const TriangleMesh& mesh, int count) {
   return points;
 }
 
-/// The middle of the points that are farthest along -z.
+}  // namespace
+
 Vec3 tipOf(const std::vector<Vec3>& points) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const Vec3& p : points) lowest = std::min(lowest, p.z());
@@ -73,8 +74,6 @@ Vec3 tipOf(const std::vector<Vec3>& points) {
     }
   return sum / count;
 }
-
-}  // namespace
 
 Expected<PointShell> makeShell(std::vector<Vec3> points) {
   if (points.empty()) return tl::unexpected(Error{Error::Kind::Malformed, {"tool-no-points", {}}});

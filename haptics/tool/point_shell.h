@@ -37,6 +37,9 @@ struct Tool {
 /// Refuses no point, a non-finite one, and one more than 10 m from the centroid.
 Expected<PointShell> makeShell(std::vector<Vec3> points);
 
+/// The middle of the points that are farthest along -z; there must be one.
+Vec3 tipOf(const std::vector<Vec3>& points);
+
 /// The greatest principal inertia of a symmetric matrix, m².
 double largestInertia(const Mat3& inertia);
 

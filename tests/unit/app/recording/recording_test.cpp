@@ -619,6 +619,14 @@ TEST(Recording, KnowsWhereTheToolsOriginWasInItsFile) {
   EXPECT_EQ(read->tool.shell.origin, tool.shell.origin);
 }
 
+TEST(Recording, KnowsTheTipOfItsTool) {
+  const auto whole = scene();
+  ASSERT_GT(whole->tool.shell.tip.norm(), 0.001);
+  const auto read = sceneFrom(wordsOf(*whole));
+  ASSERT_TRUE(read) << sentence(read.error());
+  EXPECT_EQ(read->tool.shell.tip, whole->tool.shell.tip);
+}
+
 TEST(Recording, MarksLieWhereTheyWereSet) {
   const ScratchFolder scratch;
   Bench bench(scratch / "r.palpate");
