@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/study/comparison/methods.h"
-#include "app/study/page/plot.h"
+#include "app/study/report/outcome.h"
 #include "haptics/proxy/tick.h"
 
 namespace study::accuracy {

@@ -11,8 +11,8 @@
 
 #include "app/build_info/build_info.h"
 #include "app/measurement/quantile.h"
+#include "app/page/page.h"
 #include "app/study/cohort/touch.h"
-#include "app/study/page/page.h"
 #include "haptics/process/input_file.h"
 #include "haptics/process/output_file.h"
 

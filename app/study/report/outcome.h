@@ -8,10 +8,20 @@
 #include <string>
 #include <vector>
 
-#include "app/study/page/page.h"
-#include "app/study/page/plot.h"
+#include "app/page/page.h"
+#include "app/page/plot.h"
 
 namespace study {
+
+using page::Axis;
+using page::isZero;
+using page::Page;
+using page::Plot;
+using page::PlotPoint;
+using page::Scale;
+using page::Series;
+using page::shortly;
+using page::Table;
 
 /// A claim with its limit: the value must not exceed the bound, or not fall below it.
 struct Case {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "app/study/page/page.h"
+#include "app/page/page.h"
 #include "app/study/report/results.h"
 
 namespace study {
