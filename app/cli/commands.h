@@ -21,6 +21,7 @@ void addRecover(CLI::App& program, Chosen& chosen);
 #ifdef PALPATE_READERS
 void addInfo(CLI::App& program, Chosen& chosen);
 void addConvert(CLI::App& program, Chosen& chosen);
+void addReport(CLI::App& program, Chosen& chosen);
 #endif
 #ifdef PALPATE_DEVICES
 void addDevices(CLI::App& program, Chosen& chosen);

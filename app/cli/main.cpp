@@ -48,6 +48,9 @@ void addCommands(CLI::App& program, Chosen& chosen) {
   addRun(program, chosen);
   addReplay(program, chosen);
   addRecover(program, chosen);
+#ifdef PALPATE_READERS
+  addReport(program, chosen);
+#endif
   addSurface(program, chosen);
   addExport(program, chosen);
   addMissing(program, chosen, "study", kStudyTitle);

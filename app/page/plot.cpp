@@ -321,7 +321,7 @@ std::string svgOf(const Plot& plot, const std::string& id) {
       const double at_x = x.at(p.x), at_y = y.at(p.y);
       if (std::isfinite(p.low) && std::isfinite(p.high))
         svg += text("<path class='spread' d='M%.2f %.2fV%.2f'/>", at_x, y.at(p.low), y.at(p.high));
-      if (!places.emplace(std::lround(at_x), std::lround(at_y)).second) continue;
+      if (!series.marked || !places.emplace(std::lround(at_x), std::lround(at_y)).second) continue;
       if (p.setting.empty()) {
         svg += mark(look, at_x, at_y) + "\n";
         continue;
@@ -342,10 +342,10 @@ std::string svgOf(const Plot& plot, const std::string& id) {
     const int look = n % kMostSeries;
     svg += bound ? std::string{"<g>"} : text("<g class='s%d'>", look);
     svg += text("<path class='%s' d='M%.2f %.2fh26'/>", bound ? "bound" : "line", left, middle);
-    if (!bound) svg += mark(look, left + 13.0, middle);
+    const Series* const series = bound ? nullptr : &plot.series[static_cast<std::size_t>(n)];
+    if (series != nullptr && series->marked) svg += mark(look, left + 13.0, middle);
     svg += text("<text x='%.2f' y='%.2f'>", left + kLegendLine, middle + 4.0) +
-           escaped(bound ? plot.bound_name : plot.series[static_cast<std::size_t>(n)].name) +
-           "</text></g>\n";
+           escaped(bound ? plot.bound_name : series->name) + "</text></g>\n";
   }
   return svg + "</svg>\n";
 }

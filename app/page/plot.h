@@ -30,6 +30,7 @@ struct Series {
   std::string name;
   std::vector<PlotPoint> points;
   bool joined = true;  ///< by a line, in the order of the points
+  bool marked = true;  ///< false: the line alone
 };
 
 /// A diagram, and in words what there is to see.
