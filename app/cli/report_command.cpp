@@ -73,7 +73,7 @@ std::optional<Outcome> describe(const ReportOptions& options, const haptics::Wat
     if (structure == structures.end())
       return usage("--margin " + text + ": structure " + std::to_string(said->first) +
                    " is not in the report; see info --labels, and --watch.");
-    if (*mm * 1e-3 > structure->told)
+    if (*mm * 1e-3 >= double(float(structure->told)))
       return usage("--margin " + text + ": distances are known up to " +
                    exporting::numberOf(structure->told * 1e3) + " mm; choose a smaller margin.");
     if (structure->margins.size() == kMostMargins)

@@ -83,8 +83,10 @@ void Tally::look(const Tick& tick) {
   for (std::size_t n = 0; n < structures_.size(); ++n) {
     const TickOf& now = tick.structures[n];
     FiguresOf& of = figures_.structures[n];
-    takeLess(of.nearest, double(now.nearest), at);
-    takeLess(of.nearest_of_tip, double(now.tip), at);
+    // what is told as the greatest distance is that or more
+    const auto told = float(structures_[n].told);
+    if (now.nearest < told) takeLess(of.nearest, double(now.nearest), at);
+    if (now.tip < told) takeLess(of.nearest_of_tip, double(now.tip), at);
     if (now.touched) takeMore(of.largest_push, now.push, at);
     if (!isEncounter(now)) continue;
     const bool kept = of.encounters.size() == std::size_t(of.encounter_count);

@@ -128,6 +128,17 @@ TEST(Plot, EverySeriesHasAMarkOfItsOwn) {
             std::string::npos);  // not joined: no line but the legend's
 }
 
+TEST(Plot, DrawsALineAloneWhereASeriesHasNoMarks) {
+  Plot plot{.title = "a", .description = "b", .x = {"x"}, .y = {"y"}};
+  plot.series = {{.name = "line", .points = {{.x = 0.0, .y = 1.0}, {.x = 1.0, .y = 2.0}}}};
+  const std::string marked = svgOf(plot, "p");
+  plot.series[0].marked = false;
+  const std::string bare = svgOf(plot, "p");
+  EXPECT_NE(marked.find("<circle"), std::string::npos);
+  EXPECT_EQ(bare.find("<circle"), std::string::npos);
+  EXPECT_NE(bare.find("class='line'"), std::string::npos);
+}
+
 TEST(Plot, SaysWhatItIsToWhoCannotSeeIt) {
   Plot plot = decades();
   plot.title = "Error & <time>";
