@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace app::report {
 namespace {
@@ -22,7 +23,9 @@ ordered_json numberOf(double value) {
 template <class Figure, class Values>
 void tell(ordered_json& json, const Figure& figure, const Values& values) {
   const Moment moment = figure.of(values);
-  json[figure.definition.key] = numberOf(moment.value);
+  const bool count = *figure.definition.unit == 0 && moment.value == std::floor(moment.value);
+  json[figure.definition.key] =
+      count ? ordered_json(std::int64_t(moment.value)) : numberOf(moment.value);
   if (std::isfinite(moment.at)) json[std::string{figure.definition.key} + "_at_s"] = moment.at;
 }
 
