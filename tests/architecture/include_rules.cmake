@@ -42,8 +42,8 @@ rule(FOLDERS "app" EXCEPT "app/(study|cli|measurement|recording)"
      FORBIDS "^haptics/(field|collision|solver|coupling|proxy|servo|devices)/"
      PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes)[.]h$"
      WHY "the application uses haptics through its root headers")
-rule(FOLDERS "app/(study|cli|measurement)" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"
-     WHY "the command line and the studies build without Qt and VTK")
+rule(FOLDERS "app/(study|cli|measurement|page|report)" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"
+     WHY "the command line, the studies and the reports build without Qt and VTK")
 rule(FOLDERS "app" EXCEPT "app/study" FORBIDS "^app/study/" WHY "studies are a program of their own")
 rule(FOLDERS "app/fetch" FORBIDS "^(vtk|ui/|datasets/|QtWidgets|Q(Widget|Application|Dialog)$)"
      WHY "palpate-fetch has neither window nor readers")
