@@ -318,6 +318,8 @@ void Application::Parts::wireOpening() {
   connect(&opening, &Opening::loading, &starting, &StartController::stopDrawing);
   connect(&opening, &Opening::pictureReplaced, &isosurface,
           [this] { isosurface.showScene(false); });
+  connect(&window.touch(), &ui::TouchState::worded, &structures, &StructuresController::showNear);
+  connect(&structures, &StructuresController::nearChanged, &picture, &PictureController::showNear);
   connect(&window, &ui::MainWindow::dropped, &structures, &StructuresController::sort);
   connect(&structures, &StructuresController::scanWanted, &opening,
           [this](const QStringList& paths) { opening.openTogether(paths); });

@@ -9,10 +9,12 @@
 #include "app/log/log.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
+#include "datasets/labels/distances.h"
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/segments.h"
 #include "datasets/readers/volume_header.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/scene/watch.h"
 #include "ui/panels/structures_panel.h"
 #include "ui/views/volume_view.h"
 
@@ -80,6 +82,9 @@ void StructuresController::connectPanel() {
   connect(panel_, &Panel::opacityChosen, this, [this](int number, double opacity) {
     change(number, [&](StructureLook& look) { look.opacity = opacity; });
   });
+  connect(panel_, &Panel::watchChosen, this, &StructuresController::watch);
+  connect(panel_, &Panel::limitsChosen, this,
+          [this](const ui::NearLimits& limits) { limits_ = limits; });
   connect(panel_, &Panel::renamed, this, [this](int number, const QString& name) {
     const std::string shown = datasets::shownName(name.toStdString());
     change(number, [&](StructureLook& look) {
@@ -150,7 +155,8 @@ void StructuresController::open(const std::filesystem::path& path) {
         if (!map) return tl::unexpected(map.error());
         auto seen = std::make_shared<const ui::StructureMap>(seenMapOf(*map));
         auto boxes = ui::boxesOf(*seen, map->structures().size());
-        return Read{map->structures(), std::move(seen), std::move(boxes)};
+        return Read{map->structures(), std::move(seen), std::move(boxes),
+                    std::make_shared<const datasets::LabelMap>(std::move(*map))};
       },
       [this](haptics::Expected<Read> read) {
         loading_.end();
@@ -164,6 +170,7 @@ void StructuresController::open(const std::filesystem::path& path) {
 
 void StructuresController::take(Read read) {
   close();
+  labels_ = std::move(read.labels);
   shown_.map = std::move(read.map);
   for (std::size_t n = 0; n < read.structures.size(); ++n) {
     const datasets::Structure& structure = read.structures[n];
@@ -205,10 +212,82 @@ void StructuresController::makeShapes(std::vector<haptics::VoxelBox> boxes) {
 void StructuresController::close() {
   maker_.abandon();
   places_mm_.clear();
+  measurer_.abandon();
+  labels_.reset();
+  distances_.clear();
   // how all of them are drawn stays
   shown_.map.reset();
   shown_.looks.clear();
   show();
+  giveWatch();
+}
+
+void StructuresController::watch(int number, bool watched) {
+  const auto count = std::ranges::count_if(shown_.looks, &ui::StructureLook::watched);
+  if (watched && count == static_cast<std::ptrdiff_t>(haptics::kMostWatched)) {
+    messages_.showMessage(
+        tr("Distances to %1 structures are told at a time; tell fewer of the others.")
+            .arg(haptics::kMostWatched));
+    watched = false;
+  }
+  change(number, [&](ui::StructureLook& look) { look.watched = watched; });
+  makeDistances();
+  giveWatch();
+}
+
+void StructuresController::makeDistances() {
+  if (measurer_.isRunning() || !labels_) return;
+  const auto isDue = [&](int n) {
+    const auto number = static_cast<std::size_t>(n);
+    return shown_.looks[number].watched && !distances_.contains(n) &&
+           labels_->structures()[number].voxels > 0;
+  };
+  int number = 0;
+  while (number < static_cast<int>(shown_.looks.size()) && !isDue(number)) ++number;
+  if (number == static_cast<int>(shown_.looks.size())) return;
+  measurer_.start(
+      [labels = labels_, number](const background::Watch& watch) {
+        background::goLast();  // an edit or another scan comes first
+        // each of those that can be watched may have its share
+        return datasets::distancesTo(*labels, static_cast<std::uint8_t>(number),
+                                     datasets::distancesOf(haptics::kMostWatched),
+                                     [&](double) { return !watch.cancelled(); });
+      },
+      [this, number](haptics::Expected<haptics::DistanceMap> map) {
+        if (map) {
+          distances_[number] = std::move(*map);
+          giveWatch();
+        } else {
+          change(number, [](ui::StructureLook& look) { look.watched = false; });
+          messages_.showMessage(sentenceOf(map.error()));
+        }
+        makeDistances();
+      });
+}
+
+void StructuresController::giveWatch() {
+  auto watch = std::make_shared<haptics::Watch>();
+  for (const auto& [number, map] : distances_)
+    if (shown_.looks[static_cast<std::size_t>(number)].watched)
+      watch->structures.push_back({static_cast<std::uint8_t>(number), map});
+  if (watch->structures.empty()) watch.reset();
+  shared_.session.watch(std::move(watch));
+  if (!shared_.snapshot.near.empty()) showNear({});
+}
+
+void StructuresController::showNear(const haptics::Snapshot& snapshot) {
+  std::vector<ui::StructureNear> lines;
+  std::vector<std::pair<int, ui::StructureNear>> rows;
+  for (const haptics::Nearness& near : snapshot.near) {
+    const auto known = distances_.find(near.structure);
+    if (near.structure >= shown_.looks.size() || known == distances_.end()) continue;
+    const ui::StructureLook& look = shown_.looks[near.structure];
+    lines.push_back({look.name, look.colour, double(near.nearest) * ui::kMmPerM,
+                     near.nearest >= float(known->second.told())});
+    rows.emplace_back(near.structure, lines.back());
+  }
+  panel_->showNear(rows);
+  emit nearChanged(lines, limits_);
 }
 
 void StructuresController::showScene() {

@@ -4,12 +4,15 @@
 #include <QObject>
 #include <QStringList>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <vector>
 
 #include "app/background/task.h"
 #include "app/window/scan/shared_state.h"
 #include "datasets/labels/label_map.h"
+#include "haptics/structures/distance_map.h"
+#include "ui/panels/nearness_lines.h"
 #include "ui/props/structure_shape.h"
 #include "ui/window/loading.h"
 #include "ui/window/menus.h"
@@ -39,12 +42,16 @@ class StructuresController : public QObject {
   void sort(const QStringList& paths);
   /// Call it when a scene is on view.
   void showScene();
+  /// Call it when `shared.snapshot` is due in words.
+  void showNear(const haptics::Snapshot& snapshot);
   const ui::Structures& shown() const { return shown_; }
 
  signals:
   void scanWanted(const QStringList& paths);
   /// Structures are on view, in 3-D too.
   void opened();
+  /// How near the tool is to the structures that are watched; none: none is.
+  void nearChanged(const std::vector<ui::StructureNear>& near, const ui::NearLimits& limits);
   /// A file was refused, and why, for the user.
   void refused(const QString& sentence);
 
@@ -54,6 +61,7 @@ class StructuresController : public QObject {
     std::vector<datasets::Structure> structures;
     std::shared_ptr<const ui::StructureMap> map;
     std::vector<haptics::VoxelBox> boxes;
+    std::shared_ptr<const datasets::LabelMap> labels;
   };
 
   void connectPanel();
@@ -61,6 +69,11 @@ class StructuresController : public QObject {
   void close();
   void makeShapes(std::vector<haptics::VoxelBox> boxes);
   void goTo(int number);
+  void watch(int number, bool watched);
+  /// Makes the distances of the next structure that is watched and has none yet.
+  void makeDistances();
+  /// Gives the session what is watched and known.
+  void giveWatch();
   /// Changes how a structure is seen, and shows it.
   template <class Change>
   void change(int number, Change&& change);
@@ -77,7 +90,11 @@ class StructuresController : public QObject {
   std::vector<std::vector<Eigen::Vector3d>>
       places_mm_;  ///< of each structure; empty: not yet known
   background::Task<Read> reader_;
-  background::Task<bool> maker_;  ///< of shapes
+  background::Task<bool> maker_;                      ///< of shapes
+  std::shared_ptr<const datasets::LabelMap> labels_;  ///< null: none
+  std::map<int, haptics::DistanceMap> distances_;     ///< of structures that were watched
+  background::Task<haptics::DistanceMap> measurer_;   ///< of distances
+  ui::NearLimits limits_;
   background::Task<ui::OpenedAs> sorter_;
 };
 
