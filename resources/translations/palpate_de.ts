@@ -1791,6 +1791,22 @@
         <source>%1 is no closed surface, so nothing lies inside; close it or export the segmentation instead. Open edges: %2.</source>
         <translation>%1 ist keine geschlossene Oberfläche, also liegt nichts darin; schließen Sie sie, oder exportieren Sie stattdessen die Segmentierung. Offene Kanten: %2.</translation>
     </message>
+    <message>
+        <source>The label map has no structure %1 with voxels in the scan; of its %2, info --labels tells which have.</source>
+        <translation>Die Label-Karte hat keine Struktur %1 mit Voxeln in der Aufnahme; welche ihrer %2 welche haben, sagt info --labels.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no way to feel a structure; write its number and how, such as 3=softer:300 or 2=guarded:2:1.5.</source>
+        <translation>„%1“ ist keine Art, eine Struktur zu spüren; schreiben Sie ihre Nummer und wie, etwa 3=softer:300 oder 2=guarded:2:1.5.</translation>
+    </message>
+    <message>
+        <source>Distances to %1 structures are too many at a time; name %2 of them at most, with --watch.</source>
+        <translation>Abstände zu %1 Strukturen zugleich sind zu viele; nennen Sie höchstens %2 davon, mit --watch.</translation>
+    </message>
+    <message>
+        <source>Structure %1 was felt in this recording; give the label map, with --labels, and watch it.</source>
+        <translation>Struktur %1 wurde in dieser Aufzeichnung gespürt; geben Sie die Label-Karte mit --labels an, und beobachten Sie sie.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -2690,6 +2706,10 @@
     <message>
         <source>Structure %1</source>
         <translation>Struktur %1</translation>
+    </message>
+    <message>
+        <source>Distances to %1 structures are told at a time; tell fewer of the others.</source>
+        <translation>Abstände werden zu %1 Strukturen zugleich genannt; wählen Sie andere ab.</translation>
     </message>
 </context>
 <context>
@@ -5240,6 +5260,41 @@
     </message>
 </context>
 <context>
+    <name>ui::NearnessLines</name>
+    <message>
+        <source>close</source>
+        <translation>sehr nah</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>nah</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>over %1 mm</source>
+        <translation>über %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Distance to %1</source>
+        <translation>Abstand zu %1</translation>
+    </message>
+</context>
+<context>
     <name>ui::PacsServerDialog</name>
     <message>
         <source>Server</source>
@@ -7286,6 +7341,30 @@
     <message>
         <source>All off</source>
         <translation>Alle aus</translation>
+    </message>
+    <message>
+        <source>Tell the distance</source>
+        <translation>Abstand nennen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Tells how far the tool is from the structure, beside the force and in recordings</source>
+        <translation>Nennt den Abstand des Werkzeugs von der Struktur, neben der Kraft und in Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Near from</source>
+        <translation>Nah ab</translation>
+    </message>
+    <message>
+        <source>Close from</source>
+        <translation>Sehr nah ab</translation>
     </message>
 </context>
 <context>
