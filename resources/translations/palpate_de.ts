@@ -1884,6 +1884,10 @@
         <source>The file was not written</source>
         <translation>Die Datei wurde nicht geschrieben</translation>
     </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Phantom wird erzeugt</translation>
+    </message>
 </context>
 <context>
     <name>app::CrashController</name>
@@ -3190,6 +3194,77 @@
     <message>
         <source>mastoid</source>
         <translation>Mastoid</translation>
+    </message>
+</context>
+<context>
+    <name>app::structureTitle</name>
+    <message>
+        <source>Dura plate</source>
+        <translation>Duraplatte</translation>
+    </message>
+    <message>
+        <source>Sigmoid sinus</source>
+        <translation>Sinus sigmoideus</translation>
+    </message>
+    <message>
+        <source>Lateral semicircular canal</source>
+        <translation>Lateraler Bogengang</translation>
+    </message>
+    <message>
+        <source>Facial canal</source>
+        <translation>Fazialiskanal</translation>
+    </message>
+    <message>
+        <source>Facial nerve</source>
+        <translation>Nervus facialis</translation>
+    </message>
+    <message>
+        <source>Antrum</source>
+        <translation>Antrum</translation>
+    </message>
+    <message>
+        <source>Tympanic cavity</source>
+        <translation>Paukenhöhle</translation>
+    </message>
+    <message>
+        <source>Ear canal</source>
+        <translation>Gehörgang</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Left eye</source>
+        <translation>Linkes Auge</translation>
+    </message>
+    <message>
+        <source>Right eye</source>
+        <translation>Rechtes Auge</translation>
+    </message>
+    <message>
+        <source>Left carotid canal</source>
+        <translation>Linker Karotiskanal</translation>
+    </message>
+    <message>
+        <source>Right carotid canal</source>
+        <translation>Rechter Karotiskanal</translation>
+    </message>
+    <message>
+        <source>Left jugular canal</source>
+        <translation>Linker Jugulariskanal</translation>
+    </message>
+    <message>
+        <source>Right jugular canal</source>
+        <translation>Rechter Jugulariskanal</translation>
+    </message>
+    <message>
+        <source>Spinal canal</source>
+        <translation>Wirbelkanal</translation>
+    </message>
+    <message>
+        <source>Burr hole</source>
+        <translation>Bohrloch</translation>
     </message>
 </context>
 <context>
@@ -5162,6 +5237,10 @@
     <message>
         <source>Open structures of the scan on view</source>
         <translation>Strukturen der gezeigten Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Try structures</source>
+        <translation>&amp;Strukturen ausprobieren</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/structures/structures_controller.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "app/window/scan/sentence.h"
 #include "datasets/labels/distances.h"
 #include "datasets/labels/label_file.h"
+#include "datasets/labels/phantom_labels.h"
 #include "datasets/labels/segments.h"
 #include "datasets/readers/volume_header.h"
 #include "datasets/readers/volume_reader.h"
@@ -144,14 +146,21 @@ void StructuresController::open(const std::filesystem::path& path) {
   if (!shared_.shown)
     return messages_.showMessage(
         tr("There is no scan yet; open the scan of the structures first."));
+  ours_ = false;
+  read([path, scan = scanOf(shared_.shown->volume())](const background::Watch& watch) {
+    return datasets::readLabels(
+        path, *scan,
+        {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel});
+  });
+}
+
+void StructuresController::read(
+    std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading) {
   messages_.clear();
   loading_.begin(tr("Reading the structures"));
   reader_.start(
-      [path, scan = scanOf(shared_.shown->volume())](
-          const background::Watch& watch) -> haptics::Expected<Read> {
-        auto map = datasets::readLabels(
-            path, *scan,
-            {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel});
+      [reading = std::move(reading)](const background::Watch& watch) -> haptics::Expected<Read> {
+        auto map = reading(watch);
         if (!map) return tl::unexpected(map.error());
         auto seen = std::make_shared<const ui::StructureMap>(seenMapOf(*map));
         auto boxes = ui::boxesOf(*seen, map->structures().size());
@@ -177,7 +186,9 @@ void StructuresController::take(Read read) {
     const auto& [red, green, blue] = structure.colour;
     shown_.looks.push_back(
         {.name = structure.name.empty() ? tr("Structure %1").arg(n + 1)
-                                        : QString::fromStdString(structure.name),
+                 : ours_
+                     ? QCoreApplication::translate("app::structureTitle", structure.name.c_str())
+                     : QString::fromStdString(structure.name),
          .colour = QColor::fromRgbF(static_cast<float>(red), static_cast<float>(green),
                                     static_cast<float>(blue))});
   }
@@ -299,6 +310,12 @@ void StructuresController::showScene() {
   sorter_.abandon();
   reader_.abandon();
   close();
+  const std::string phantom = std::exchange(awaited_, {});
+  if (phantom.empty() || !shared_.shown->place.empty()) return;
+  ours_ = true;
+  read([phantom, scan](const background::Watch& watch) {
+    return datasets::phantomLabels(phantom, scan->grid, &watch.cancel);
+  });
 }
 
 void StructuresController::goTo(int number) {

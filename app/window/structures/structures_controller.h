@@ -4,8 +4,11 @@
 #include <QObject>
 #include <QStringList>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/background/task.h"
@@ -26,6 +29,9 @@ class StructuresPanel;
 
 namespace app {
 
+/// The phantom with which structures are tried.
+inline constexpr const char* kPhantomOfStructures = "mastoid";
+
 /// Panel "Structures": which structures lie in the scan on view, read from a file beside it, and
 /// how they are seen. They go with their scan. Their names go to the screen alone.
 class StructuresController : public QObject {
@@ -37,6 +43,8 @@ class StructuresController : public QObject {
   /// Reads the structures of the scan on view, in the background. What was there before stays until
   /// they are known, and if the file is refused.
   void open(const std::filesystem::path& path);
+  /// Opens the structures of this phantom once it is on view: the next scene.
+  void awaitPhantom(std::string phantom) { awaited_ = std::move(phantom); }
   /// What was dropped on the window: structures of the scan on view are opened; for all else,
   /// scanWanted() comes, at once or after a look at the file.
   void sort(const QStringList& paths);
@@ -65,6 +73,8 @@ class StructuresController : public QObject {
   };
 
   void connectPanel();
+  /// Reads structures by `reading`, in the background.
+  void read(std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading);
   void take(Read read);
   void close();
   void makeShapes(std::vector<haptics::VoxelBox> boxes);
@@ -86,6 +96,8 @@ class StructuresController : public QObject {
   SharedState& shared_;
   ui::StructuresPanel* panel_;
   std::weak_ptr<const haptics::Volume> scan_;  ///< on view
+  std::string awaited_;                        ///< phantom whose structures are wanted; empty: none
+  bool ours_ = false;                          ///< what is read is a phantom's, whose names we know
   ui::Structures shown_;
   std::vector<std::vector<Eigen::Vector3d>>
       places_mm_;  ///< of each structure; empty: not yet known
