@@ -2715,6 +2715,14 @@
         <source>Distances to %1 structures are told at a time; tell fewer of the others.</source>
         <translation>Abstände werden zu %1 Strukturen zugleich genannt; wählen Sie andere ab.</translation>
     </message>
+    <message>
+        <source>Structures of another patient, or of another place, mislead.</source>
+        <translation>Strukturen eines anderen Patienten oder eines anderen Ortes führen in die Irre.</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Trotzdem öffnen</translation>
+    </message>
 </context>
 <context>
     <name>app::SurfaceController</name>
@@ -5336,6 +5344,22 @@
     <message>
         <source>&amp;Open as a scan</source>
         <translation>Als Aufnahme ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Left or right</source>
+        <translation>Links oder rechts</translation>
+    </message>
+    <message>
+        <source>The program that wrote the file knows. A wrong answer mirrors the structure.</source>
+        <translation>Das Programm, das die Datei geschrieben hat, weiß es. Eine falsche Antwort spiegelt die Struktur.</translation>
+    </message>
+    <message>
+        <source>x points to the &amp;left (LPS)</source>
+        <translation>x zeigt nach &amp;links (LPS)</translation>
+    </message>
+    <message>
+        <source>x points to the &amp;right (RAS)</source>
+        <translation>x zeigt nach &amp;rechts (RAS)</translation>
     </message>
 </context>
 <context>

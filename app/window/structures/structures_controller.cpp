@@ -30,7 +30,9 @@ constexpr std::int64_t kAllTriangles = 600'000, kLeastTriangles = 4'000, kMostTr
 /// the user knows.
 ui::OpenedAs kindOf(const std::filesystem::path& path, const haptics::Volume& scan,
                     const std::filesystem::path& place) {
-  if (path == place || !datasets::isVolumeFile(path)) return ui::OpenedAs::Scan;
+  if (path == place) return ui::OpenedAs::Scan;
+  if (!datasets::isVolumeFile(path))
+    return datasets::isDicomStructures(path) ? ui::OpenedAs::Structures : ui::OpenedAs::Scan;
   const auto segments = datasets::segmentsOf(path);
   if (segments && !segments->empty()) return ui::OpenedAs::Structures;
   const auto survey = datasets::survey(path);
@@ -146,16 +148,43 @@ void StructuresController::open(const std::filesystem::path& path) {
   if (!shared_.shown)
     return messages_.showMessage(
         tr("There is no scan yet; open the scan of the structures first."));
+  read(path, {.of = shared_.shown->identity});
+}
+
+void StructuresController::read(const std::filesystem::path& path,
+                                const datasets::LabelReading& reading) {
   ours_ = false;
-  read([path, scan = scanOf(shared_.shown->volume())](const background::Watch& watch) {
-    return datasets::readLabels(
-        path, *scan,
-        {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel});
-  });
+  read(
+      [path, reading, scan = scanOf(shared_.shown->volume())](const background::Watch& watch) {
+        return datasets::readLabels(
+            path, *scan,
+            {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel},
+            reading);
+      },
+      [this, path, reading](const haptics::Error& error) { return ask(path, reading, error); });
+}
+
+bool StructuresController::ask(const std::filesystem::path& path, datasets::LabelReading reading,
+                               const haptics::Error& error) {
+  const QString why = sentenceOf(error);
+  if (error.reason == "surface-space" && !reading.space) {
+    if (const auto left = messages_.askIfLeft(why)) {
+      reading.space = *left ? datasets::SurfaceSpace::Lps : datasets::SurfaceSpace::Ras;
+      read(path, reading);
+    }
+    return true;
+  }
+  if (error.kind != haptics::Error::Kind::Correctable) return false;
+  // the file may be of another patient, or placed otherwise: the user knows
+  reading.agreed = messages_.askWhether(
+      why, tr("Structures of another patient, or of another place, mislead."), tr("Open anyway"));
+  if (reading.agreed) read(path, reading);
+  return true;
 }
 
 void StructuresController::read(
-    std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading) {
+    std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading,
+    std::function<bool(const haptics::Error&)> answer) {
   messages_.clear();
   loading_.begin(tr("Reading the structures"));
   reader_.start(
@@ -167,10 +196,11 @@ void StructuresController::read(
         return Read{map->structures(), std::move(seen), std::move(boxes),
                     std::make_shared<const datasets::LabelMap>(std::move(*map))};
       },
-      [this](haptics::Expected<Read> read) {
+      [this, answer = std::move(answer)](haptics::Expected<Read> read) {
         loading_.end();
         if (read) return take(std::move(*read));
         if (read.error().kind == haptics::Error::Kind::Cancelled) return;
+        if (answer && answer(read.error())) return;
         const QString why = sentenceOf(read.error());
         messages_.showMessage(why);
         emit refused(why);

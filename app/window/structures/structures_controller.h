@@ -13,6 +13,7 @@
 
 #include "app/background/task.h"
 #include "app/window/scan/shared_state.h"
+#include "datasets/labels/label_file.h"
 #include "datasets/labels/label_map.h"
 #include "haptics/structures/distance_map.h"
 #include "ui/panels/nearness_lines.h"
@@ -73,8 +74,14 @@ class StructuresController : public QObject {
   };
 
   void connectPanel();
-  /// Reads structures by `reading`, in the background.
-  void read(std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading);
+  /// Reads structures by `reading`, in the background. `answer`: whether an error was asked about.
+  void read(std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading,
+            std::function<bool(const haptics::Error&)> answer = {});
+  void read(const std::filesystem::path& path, const datasets::LabelReading& reading);
+  /// Asks for what the file does not say, or says otherwise than the scan, and reads it again.
+  /// False: the error is none of these.
+  bool ask(const std::filesystem::path& path, datasets::LabelReading reading,
+           const haptics::Error& error);
   void take(Read read);
   void close();
   void makeShapes(std::vector<haptics::VoxelBox> boxes);
