@@ -318,7 +318,13 @@ void Application::Parts::wireOpening() {
   connect(&opening, &Opening::loading, &starting, &StartController::stopDrawing);
   connect(&opening, &Opening::pictureReplaced, &isosurface,
           [this] { isosurface.showScene(false); });
+  connect(&window.touch(), &ui::TouchState::worded, &structures, &StructuresController::showNear);
+  connect(&structures, &StructuresController::nearChanged, &picture, &PictureController::showNear);
   connect(&window, &ui::MainWindow::dropped, &structures, &StructuresController::sort);
+  connect(&window.menus(), &ui::Menus::structuresTried, this, [this] {
+    structures.awaitPhantom(kPhantomOfStructures);
+    opening.load({.phantom = kPhantomOfStructures}, Application::tr("Making the phantom"));
+  });
   connect(&structures, &StructuresController::scanWanted, &opening,
           [this](const QStringList& paths) { opening.openTogether(paths); });
   connect(&opening, &Opening::recordingWanted, &replay, &ReplayController::open);

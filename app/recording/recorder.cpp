@@ -635,7 +635,7 @@ haptics::Expected<fs::path> recover(const fs::path& part) {
                ? refused({"recovery-in-use", {part.string()}}, "in-use")
                : refused({"recovery-failed", {part.string(), database->complaint()}}, "damaged");
   if (database->integer("PRAGMA application_id") != kApplicationId ||
-      !database->hasSchema(schemaOf(database->integer("PRAGMA user_version")).c_str()))
+      !database->hasSchema(tablesOf(database->integer("PRAGMA user_version")).c_str()))
     return noRecording();
   if (database->integer("SELECT count(*) FROM step") == 0)
     return refused({"recovery-empty", {part.string()}}, "empty");

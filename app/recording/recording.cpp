@@ -54,7 +54,7 @@ haptics::Expected<Database> opened(const fs::path& path, const std::atomic<bool>
   if (format > kHighestFormat)
     return refused(haptics::Error::Kind::Unsupported, {"file-of-later-palpate", {path.string()}},
                    "newer");
-  if (format < kFormatOfScans || !database->hasSchema(schemaOf(format).c_str()))
+  if (format < kFormatOfScans || !database->hasSchema(tablesOf(format).c_str()))
     return refused(haptics::Error::Kind::Malformed,
                    {"recording-of-another-program", {path.string()}}, "damaged");
   return database;

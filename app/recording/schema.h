@@ -42,7 +42,7 @@ CREATE TABLE nearness (first INTEGER PRIMARY KEY, structures TEXT NOT NULL, data
   STRICT;
 )";
 /// The tables of a recording of this format.
-inline std::string schemaOf(std::int64_t format) {
+inline std::string tablesOf(std::int64_t format) {
   return hasStructures(format) ? std::string{kSchema} + kNearnessTable : kSchema;
 }
 

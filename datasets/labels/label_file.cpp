@@ -165,6 +165,20 @@ Expected<LabelMap> readAny(const fs::path& path, const haptics::Volume& scan,
 
 }  // namespace
 
+bool isDicomStructures(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  const Beginning beginning(path);
+  if (!beginning.is_open || !looksLikeDicom(beginning)) return false;
+  try {
+    const CLocale numbers_with_points;
+    const auto parsed = ParsedDicom::of(beginning);
+    return parsed && holdsStructures(describedBy(path, **parsed));
+  } catch (const std::exception&) {
+    return false;  // a reader says why
+  }
+}
+
 Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
                               const ReadProgress& progress, const LabelReading& reading) {
   try {

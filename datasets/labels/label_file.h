@@ -24,6 +24,9 @@ struct LabelReading {
   bool agreed = false;
 };
 
+/// Whether a file is a DICOM segmentation or structure set.
+bool isDicomStructures(const std::filesystem::path& path);
+
 /// Reads the structures of a scan: 3D Slicer's .seg.nrrd with names, colours and layers; any NRRD,
 /// MetaImage or NIfTI file of whole numbers; a DICOM segmentation (addDicomSegments()) or structure
 /// set (addDicomContours()). In a label map each number but 0 is a structure, without a name where

@@ -29,6 +29,7 @@ FORMAT = re.compile(r'\{\s*"\w+",\s*"[^"]*",\s*%s,\s*%s,\s*%s' % (STRINGS, STRIN
 TOOL = re.compile(r'^\s*"[a-z0-9-]+\|([^|"]+)\|([^|"]+)\|[0-9.]+"', re.M)
 DEVICE = re.compile(r'\bkName(?: = |\{)("[^"]+")')
 PHANTOM = re.compile(r'\{("\w+"), \w+Phantom\}')
+STRUCTURE = re.compile(r'(?:\badd\(|\{)("[A-Z][a-z]+(?: [a-z]+)*"),\s*\{\d')
 PLACE = re.compile(r"%(?:L?[1-9]|\([1-9]\)|n)")
 TAG = re.compile(r"</?\w+>")
 QT = ("/usr/lib/qt6/bin", "/usr/lib/qt6/libexec")
@@ -69,6 +70,8 @@ def unseen(root):
         found += [("app::ToolController", f'"{word}"') for word in (use, title)]
     for name in PHANTOM.findall((root / "datasets/phantoms/phantoms.cpp").read_text()):
         found.append(("app::phantomTitle", name))
+    for path in sorted((root / "datasets/phantoms").glob("*.cpp")):
+        found += [("app::structureTitle", name) for name in STRUCTURE.findall(uncommented(path))]
     for path in sorted((root / "haptics/devices").glob("*.cpp")):
         found += [("app::DeviceWatch", name) for name in DEVICE.findall(path.read_text())]
     return list(dict.fromkeys(found))

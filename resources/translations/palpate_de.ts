@@ -1791,6 +1791,22 @@
         <source>%1 is no closed surface, so nothing lies inside; close it or export the segmentation instead. Open edges: %2.</source>
         <translation>%1 ist keine geschlossene Oberfläche, also liegt nichts darin; schließen Sie sie, oder exportieren Sie stattdessen die Segmentierung. Offene Kanten: %2.</translation>
     </message>
+    <message>
+        <source>The label map has no structure %1 with voxels in the scan; of its %2, info --labels tells which have.</source>
+        <translation>Die Label-Karte hat keine Struktur %1 mit Voxeln in der Aufnahme; welche ihrer %2 welche haben, sagt info --labels.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no way to feel a structure; write its number and how, such as 3=softer:300 or 2=guarded:2:1.5.</source>
+        <translation>„%1“ ist keine Art, eine Struktur zu spüren; schreiben Sie ihre Nummer und wie, etwa 3=softer:300 oder 2=guarded:2:1.5.</translation>
+    </message>
+    <message>
+        <source>Distances to %1 structures are too many at a time; name %2 of them at most, with --watch.</source>
+        <translation>Abstände zu %1 Strukturen zugleich sind zu viele; nennen Sie höchstens %2 davon, mit --watch.</translation>
+    </message>
+    <message>
+        <source>Structure %1 was felt in this recording; give the label map, with --labels, and watch it.</source>
+        <translation>Struktur %1 wurde in dieser Aufzeichnung gespürt; geben Sie die Label-Karte mit --labels an, und beobachten Sie sie.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -1867,6 +1883,10 @@
     <message>
         <source>The file was not written</source>
         <translation>Die Datei wurde nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>Making the phantom</source>
+        <translation>Phantom wird erzeugt</translation>
     </message>
 </context>
 <context>
@@ -2691,6 +2711,18 @@
         <source>Structure %1</source>
         <translation>Struktur %1</translation>
     </message>
+    <message>
+        <source>Distances to %1 structures are told at a time; tell fewer of the others.</source>
+        <translation>Abstände werden zu %1 Strukturen zugleich genannt; wählen Sie andere ab.</translation>
+    </message>
+    <message>
+        <source>Structures of another patient, or of another place, mislead.</source>
+        <translation>Strukturen eines anderen Patienten oder eines anderen Ortes führen in die Irre.</translation>
+    </message>
+    <message>
+        <source>Open anyway</source>
+        <translation>Trotzdem öffnen</translation>
+    </message>
 </context>
 <context>
     <name>app::SurfaceController</name>
@@ -3170,6 +3202,77 @@
     <message>
         <source>mastoid</source>
         <translation>Mastoid</translation>
+    </message>
+</context>
+<context>
+    <name>app::structureTitle</name>
+    <message>
+        <source>Dura plate</source>
+        <translation>Duraplatte</translation>
+    </message>
+    <message>
+        <source>Sigmoid sinus</source>
+        <translation>Sinus sigmoideus</translation>
+    </message>
+    <message>
+        <source>Lateral semicircular canal</source>
+        <translation>Lateraler Bogengang</translation>
+    </message>
+    <message>
+        <source>Facial canal</source>
+        <translation>Fazialiskanal</translation>
+    </message>
+    <message>
+        <source>Facial nerve</source>
+        <translation>Nervus facialis</translation>
+    </message>
+    <message>
+        <source>Antrum</source>
+        <translation>Antrum</translation>
+    </message>
+    <message>
+        <source>Tympanic cavity</source>
+        <translation>Paukenhöhle</translation>
+    </message>
+    <message>
+        <source>Ear canal</source>
+        <translation>Gehörgang</translation>
+    </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Left eye</source>
+        <translation>Linkes Auge</translation>
+    </message>
+    <message>
+        <source>Right eye</source>
+        <translation>Rechtes Auge</translation>
+    </message>
+    <message>
+        <source>Left carotid canal</source>
+        <translation>Linker Karotiskanal</translation>
+    </message>
+    <message>
+        <source>Right carotid canal</source>
+        <translation>Rechter Karotiskanal</translation>
+    </message>
+    <message>
+        <source>Left jugular canal</source>
+        <translation>Linker Jugulariskanal</translation>
+    </message>
+    <message>
+        <source>Right jugular canal</source>
+        <translation>Rechter Jugulariskanal</translation>
+    </message>
+    <message>
+        <source>Spinal canal</source>
+        <translation>Wirbelkanal</translation>
+    </message>
+    <message>
+        <source>Burr hole</source>
+        <translation>Bohrloch</translation>
     </message>
 </context>
 <context>
@@ -5143,6 +5246,10 @@
         <source>Open structures of the scan on view</source>
         <translation>Strukturen der gezeigten Aufnahme öffnen</translation>
     </message>
+    <message>
+        <source>&amp;Try structures</source>
+        <translation>&amp;Strukturen ausprobieren</translation>
+    </message>
 </context>
 <context>
     <name>ui::Messages</name>
@@ -5237,6 +5344,57 @@
     <message>
         <source>&amp;Open as a scan</source>
         <translation>Als Aufnahme ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Left or right</source>
+        <translation>Links oder rechts</translation>
+    </message>
+    <message>
+        <source>The program that wrote the file knows. A wrong answer mirrors the structure.</source>
+        <translation>Das Programm, das die Datei geschrieben hat, weiß es. Eine falsche Antwort spiegelt die Struktur.</translation>
+    </message>
+    <message>
+        <source>x points to the &amp;left (LPS)</source>
+        <translation>x zeigt nach &amp;links (LPS)</translation>
+    </message>
+    <message>
+        <source>x points to the &amp;right (RAS)</source>
+        <translation>x zeigt nach &amp;rechts (RAS)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NearnessLines</name>
+    <message>
+        <source>close</source>
+        <translation>sehr nah</translation>
+    </message>
+    <message>
+        <source>near</source>
+        <translation>nah</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>over %1 mm</source>
+        <translation>über %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Distance to %1</source>
+        <translation>Abstand zu %1</translation>
     </message>
 </context>
 <context>
@@ -7286,6 +7444,30 @@
     <message>
         <source>All off</source>
         <translation>Alle aus</translation>
+    </message>
+    <message>
+        <source>Tell the distance</source>
+        <translation>Abstand nennen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Tells how far the tool is from the structure, beside the force and in recordings</source>
+        <translation>Nennt den Abstand des Werkzeugs von der Struktur, neben der Kraft und in Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Near from</source>
+        <translation>Nah ab</translation>
+    </message>
+    <message>
+        <source>Close from</source>
+        <translation>Sehr nah ab</translation>
     </message>
 </context>
 <context>

@@ -55,7 +55,8 @@ ForcePanel::ForcePanel(QWidget* parent)
       with_(new QLabel),
       line_(new Figure(tr("Force and touch"))),
       fold_(new QToolButton),
-      plot_(new ForcePlot) {
+      plot_(new ForcePlot),
+      near_(new NearnessLines) {
   setObjectName("forceCard");
   setPalette(style::paletteOf(style::kDark));
   setFixedWidth(kWidth);
@@ -98,11 +99,18 @@ ForcePanel::ForcePanel(QWidget* parent)
   column->setContentsMargins(kInside, 6, kInside, style::kGap);
   column->setSpacing(style::kStep);
   column->addLayout(figures);
+  column->addWidget(near_);
   column->addWidget(plot_);
   column->addWidget(touch_);
   column->addWidget(with_);
   showParts();
   display({});
+}
+
+void ForcePanel::showNear(const std::vector<StructureNear>& near, const NearLimits& limits) {
+  near_->show(near, limits);
+  watches_ = !near.empty();
+  showParts();
 }
 
 void ForcePanel::setHand(const QString& label) { with_->setText(label); }
@@ -156,6 +164,7 @@ int ForcePanel::heightIf(bool folded) const {
   if (folded && !compact_) return height + kFold;
   height += force_->sizeHint().height();
   if (compact_) return height;
+  if (watches_) height += layout()->spacing() + near_->sizeHint().height();
   for (const QWidget* part : std::initializer_list<QWidget*>{plot_, touch_, with_})
     height += layout()->spacing() + std::max(part->sizeHint().height(), part->minimumHeight());
   return height;
@@ -165,6 +174,7 @@ void ForcePanel::showParts() {
   const bool whole = !compact_ && !folded_;
   for (QWidget* part : std::initializer_list<QWidget*>{plot_, torque_, touch_, with_})
     part->setVisible(whole);
+  near_->setVisible(whole && watches_);
   for (QWidget* part : {force_, unit_}) part->setVisible(compact_ || !folded_);
   line_->setVisible(!compact_ && folded_);
   fold_->setVisible(!compact_);

@@ -7,6 +7,7 @@
 
 #include "haptics/snapshot.h"
 #include "ui/panels/force_plot.h"
+#include "ui/panels/nearness_lines.h"
 
 class QLabel;
 class QToolButton;
@@ -20,10 +21,9 @@ struct TouchedValue {
 };
 
 /// The card in a corner of the 3-D view: the force on the hand in large figures, the torque, a plot
-/// of the last seconds, what is touched, and with what. A button folds it to one line. It is dark
-/// in every theme, as the view is. Screen
-/// readers are told where a force or a touch begins and ends, and what differs by kSaid, once a
-/// second at most.
+/// of the last seconds, what is touched, how near structures are, and with what. A button folds it
+/// to one line. It is dark in every theme, as the view is. Screen readers are told where a force or
+/// a touch begins and ends, and what differs by kSaid, once a second at most.
 class ForcePanel : public QWidget {
   Q_OBJECT
  public:
@@ -32,6 +32,8 @@ class ForcePanel : public QWidget {
   explicit ForcePanel(QWidget* parent = nullptr);
   /// `touched`: none where nothing is touched, or its value is not known.
   void display(const haptics::Snapshot& snapshot, const std::optional<TouchedValue>& touched = {});
+  /// How near the tool is to the structures that are watched; none: no line.
+  void showNear(const std::vector<StructureNear>& near, const NearLimits& limits);
   /// Device and the rate of its loop, in the words of the bar at the top.
   void setHand(const QString& label);
   void clear() { plot_->clear(); }
@@ -63,6 +65,8 @@ class ForcePanel : public QWidget {
   QLabel* line_;  ///< all of it in a line
   QToolButton* fold_;
   ForcePlot* plot_;
+  NearnessLines* near_;
+  bool watches_ = false;  ///< there are lines of structures
   bool compact_ = false, folded_ = false;
   double said_ = 0.0;       ///< N, as screen readers were told last
   double said_time_ = 0.0;  ///< s of the loop

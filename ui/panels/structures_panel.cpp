@@ -28,6 +28,7 @@ enum StructureColumn {
   StructureVisible,
   StructureColour,
   StructureName,
+  StructureDistance,
   StructureOpacity,
   kStructureColumns
 };
@@ -39,7 +40,8 @@ QTableWidgetItem& cellOf(QTableWidget& list, int row, int column) {
     Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
     if (column == StructureVisible) flags |= Qt::ItemIsUserCheckable;
     if (column == StructureName) flags |= Qt::ItemIsEditable;
-    if (column == StructureOpacity) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    if (column == StructureOpacity || column == StructureDistance)
+      item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     item->setFlags(flags);
     list.setItem(row, column, item);
   }
@@ -75,6 +77,9 @@ StructuresPanel::StructuresPanel(QWidget* parent)
       rename_(new QPushButton(tr("Rename"))),
       colour_(new QPushButton(tr("Colour…"))),
       opacity_(new NumberBox),
+      watch_(new QCheckBox(tr("Tell the distance"))),
+      near_mm_(new NumberBox),
+      close_mm_(new NumberBox),
       through_(new QCheckBox(tr("Through the bone"))),
       filled_(new QCheckBox(tr("Filled in slices"))),
       open_(new QPushButton(tr("Open…"))),
@@ -115,7 +120,7 @@ void StructuresPanel::buildList() {
   list_->setObjectName("structures");
   list_->setAccessibleName(tr("Structures"));
   list_->setColumnCount(kStructureColumns);
-  list_->setHorizontalHeaderLabels({{}, {}, tr("Name"), tr("Opacity")});
+  list_->setHorizontalHeaderLabels({{}, {}, tr("Name"), tr("Distance"), tr("Opacity")});
   style::makeLines(*list_);
   list_->setMinimumHeight(160);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -169,9 +174,14 @@ QWidget* StructuresPanel::buildChosen() {
   connect(colour_, &QPushButton::clicked, this, [this] { askColour(chosen()); });
   connect(opacity_, &NumberBox::valueChanged, this,
           [this](double percent) { emit opacityChosen(chosen(), percent / 100.0); });
+  watch_->setObjectName("watchStructure");
+  watch_->setToolTip(
+      tr("Tells how far the tool is from the structure, beside the force and in recordings"));
+  connect(watch_, &QCheckBox::toggled, this, [this](bool on) { emit watchChosen(chosen(), on); });
   auto* part = new QWidget;
   auto* grid = new QGridLayout(part);
   grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(watch_, 3, 0, 1, 2);
   grid->addWidget(go_, 0, 0);
   grid->addWidget(alone_, 0, 1);
   grid->addWidget(rename_, 1, 0);
@@ -200,6 +210,23 @@ QWidget* StructuresPanel::buildAll() {
   connect(filled_, &QCheckBox::toggled, this, &StructuresPanel::filledChosen);
   grid->addWidget(through_, 1, 0, 1, 2);
   grid->addWidget(filled_, 2, 0, 1, 2);
+  const NearLimits limits;
+  const auto add = [&](NumberBox& box, const char* name, const QString& words, double mm, int row) {
+    box.setObjectName(name);
+    box.setAccessibleName(words);
+    box.setRange(0.1, 20.0);
+    box.setDecimals(1);
+    box.setSingleStep(0.5);
+    box.setSuffix(tr(" mm"));
+    box.setValue(mm);
+    connect(&box, &NumberBox::valueChanged, this, [this] {
+      emit limitsChosen({near_mm_->value(), close_mm_->value()});
+    });
+    grid->addWidget(new QLabel(words), row, 0);
+    grid->addWidget(&box, row, 1);
+  };
+  add(*near_mm_, "nearFrom", tr("Near from"), limits.near_mm, 3);
+  add(*close_mm_, "closeFrom", tr("Close from"), limits.close_mm, 4);
   return part;
 }
 
@@ -246,6 +273,18 @@ void StructuresPanel::show(const Structures& structures) {
   showChosen();
 }
 
+void StructuresPanel::showNear(const std::vector<std::pair<int, StructureNear>>& near) {
+  const QSignalBlocker quiet(list_);
+  std::vector<QString> words(static_cast<std::size_t>(list_->rowCount()));
+  for (const auto& [number, one] : near)
+    if (number < list_->rowCount()) words[static_cast<std::size_t>(number)] = distanceWords(one);
+  for (int row = 0; row < list_->rowCount(); ++row) {
+    QTableWidgetItem& cell = cellOf(*list_, row, StructureDistance);
+    if (cell.text() != words[static_cast<std::size_t>(row)])
+      cell.setText(words[static_cast<std::size_t>(row)]);
+  }
+}
+
 void StructuresPanel::search() {
   for (int row = 0; row < list_->rowCount(); ++row)
     list_->setRowHidden(row, !shown_.looks[static_cast<std::size_t>(row)].name.contains(
@@ -259,11 +298,12 @@ int StructuresPanel::chosen() const {
 
 void StructuresPanel::showChosen() {
   const int number = chosen();
-  for (QWidget* control :
-       {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_), static_cast<QWidget*>(rename_),
-        static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_)})
+  for (QWidget* control : {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_),
+                           static_cast<QWidget*>(rename_), static_cast<QWidget*>(colour_),
+                           static_cast<QWidget*>(opacity_), static_cast<QWidget*>(watch_)})
     control->setEnabled(number >= 0);
-  const QSignalBlocker quiet(opacity_);
+  const QSignalBlocker quiet(opacity_), quiet_watch(watch_);
+  watch_->setChecked(number >= 0 && shown_.looks[static_cast<std::size_t>(number)].watched);
   opacity_->setValue(number < 0 ? 100.0
                                 : 100.0 * shown_.looks[static_cast<std::size_t>(number)].opacity);
 }

@@ -4,7 +4,10 @@
 #include <QColor>
 #include <QString>
 #include <QWidget>
+#include <utility>
+#include <vector>
 
+#include "ui/panels/nearness_lines.h"
 #include "ui/props/structures.h"
 
 class QCheckBox;
@@ -28,6 +31,8 @@ class StructuresPanel : public QWidget {
   /// Shows these; without a map none.
   void show(const Structures& structures);
   using QWidget::show;
+  /// Shows the distances of the structures that are watched, by number; the others have none.
+  void showNear(const std::vector<std::pair<int, StructureNear>>& near);
 
  signals:
   void openWanted();
@@ -37,6 +42,10 @@ class StructuresPanel : public QWidget {
   void visibleChosen(int number, bool visible);
   void colourChosen(int number, const QColor& colour);
   void opacityChosen(int number, double opacity);
+  /// Whether its distance is to be told while the tool moves.
+  void watchChosen(int number, bool watched);
+  /// From which distances on a structure is near, and close.
+  void limitsChosen(const NearLimits& limits);
   void renamed(int number, const QString& name);
   /// This structure alone is to be seen.
   void aloneWanted(int number);
@@ -66,6 +75,9 @@ class StructuresPanel : public QWidget {
   QPushButton* rename_;
   QPushButton* colour_;
   NumberBox* opacity_;
+  QCheckBox* watch_;
+  NumberBox* near_mm_;
+  NumberBox* close_mm_;
   QCheckBox* through_;
   QCheckBox* filled_;
   QPushButton* open_;

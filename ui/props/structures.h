@@ -30,6 +30,7 @@ struct StructureLook {
   QColor colour = {};
   bool visible = true;
   double opacity = 1.0;  ///< in 3-D, and of the fill in slices; kLeastStructure to 1
+  bool watched = false;  ///< its distance is told while the tool moves
 
   bool operator==(const StructureLook&) const = default;
 };

@@ -156,6 +156,8 @@ void Menus::buildHelpMenu() {
   pages->setShortcutContext(Qt::ApplicationShortcut);
   giveKeys(*help->addAction(tr("&Controls"), this, &Menus::showControls), Action::ShowControls);
   help->addAction(tr("&First steps"), this, &Menus::tourWanted)->setObjectName("showTour");
+  help->addAction(tr("&Try structures"), this, &Menus::structuresTried)
+      ->setObjectName("tryStructures");
   help->addAction(tr("Show &log"), this, &Menus::logWanted)->setObjectName("showLog");
   help->addAction(tr("&About Palpate"), this, &Menus::showAbout);
 }

@@ -81,6 +81,8 @@ class Menus : public QObject {
   void helpWanted();
   /// The first steps.
   void tourWanted();
+  /// A phantom with structures is wanted, to try them.
+  void structuresTried();
   void logWanted();
   void layoutResetWanted();
   /// The user hid the hints, or brought them back.

@@ -164,6 +164,22 @@ OpenedAs Messages::askHowToOpen(const QString& name) {
   return question.clickedButton() == scan ? OpenedAs::Scan : OpenedAs::Cancel;
 }
 
+std::optional<bool> Messages::askIfLeft(const QString& why) {
+  QMessageBox question(QMessageBox::Question, tr("Left or right"), why, QMessageBox::Cancel,
+                       window());
+  question.setInformativeText(
+      tr("The program that wrote the file knows. A wrong answer mirrors the structure."));
+  const QAbstractButton* left =
+      question.addButton(tr("x points to the &left (LPS)"), QMessageBox::AcceptRole);
+  const QAbstractButton* right =
+      question.addButton(tr("x points to the &right (RAS)"), QMessageBox::AcceptRole);
+  question.setDefaultButton(QMessageBox::Cancel);
+  question.exec();
+  if (question.clickedButton() == left) return true;
+  if (question.clickedButton() == right) return false;
+  return {};
+}
+
 std::optional<QString> withEnding(Messages& messages, QString path, const QString& ending) {
   if (path.endsWith(ending, Qt::CaseInsensitive)) return path;
   path += ending;

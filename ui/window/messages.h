@@ -63,6 +63,9 @@ class Messages : public QObject {
   Unfinished askToFinish();
   /// Asks whether a file has structures of the scan on view, or is a scan. Enter means Cancel.
   OpenedAs askHowToOpen(const QString& name);
+  /// Asks whether a file's x points to the patient's left, true, or to the right; none: Cancel,
+  /// which Enter means. `why`: a sentence.
+  std::optional<bool> askIfLeft(const QString& why);
   /// Shows the safety notice, and returns when it was read.
   void showNotice();
 

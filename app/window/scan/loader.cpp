@@ -54,6 +54,7 @@ struct Source {
   std::vector<ui::GreyPreset> greys = {};  ///< as in Loaded
   QString title;
   std::filesystem::path place = {};
+  datasets::ScanIdentity identity = {};
 };
 
 // bone where the unit tells, else halfway up: something to see and touch at once
@@ -237,6 +238,7 @@ Expected<Source> readChosen(const LoadRequest& request, const Watch& watch) {
   if (!volume) return tl::unexpected(volume.error());
   source.volume = std::make_shared<const haptics::Volume>(std::move(*volume));
   source.greys = greysOf(series);
+  source.identity = datasets::identityOf(series);
   source.title = titleOf(request, *source.volume);
   return source;
 }
@@ -262,6 +264,7 @@ Expected<Source> readSource(const LoadRequest& request, const Watch& watch) {
     source.greys = request.keep->greys;
     source.title = request.keep->title;
     source.place = request.keep->place;
+    source.identity = request.keep->identity;
   } else {
     return refused(Error::Kind::NotFound, Loader::tr("There is nothing to load."), "nothing");
   }
@@ -306,6 +309,7 @@ Expected<Loaded> load(LoadRequest& request, const Watch& watch) {
   loaded.greys = source->greys;
   loaded.title = source->title;
   loaded.place = source->place;
+  loaded.identity = source->identity;
   const haptics::Volume& volume = *source->volume;
   const double wanted = request.isovalue.value_or(source->isovalue.value_or(firstIsovalue(volume)));
   loaded.isovalue =

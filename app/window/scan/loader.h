@@ -12,6 +12,7 @@
 
 #include "app/background/task.h"
 #include "app/window/scan/load_request.h"
+#include "datasets/labels/belonging.h"
 #include "datasets/readers/scan.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
@@ -36,6 +37,7 @@ struct Kept {
   QString title;
   std::filesystem::path place = {};        ///< as in Loaded
   std::vector<ui::GreyPreset> greys = {};  ///< likewise
+  datasets::ScanIdentity identity = {};    ///< likewise
 };
 
 /// The name of what is read, for the user; empty if nothing is.
@@ -67,6 +69,8 @@ struct Loaded {
   QString note;  ///< a sentence for the user although loading succeeded; or empty
   /// The path from which it was read; empty for a phantom, which shows no person.
   std::filesystem::path place = {};
+  /// To tell whether structures belong to it; never shown.
+  datasets::ScanIdentity identity = {};
 };
 
 /// Reasons of Loader::failed that need an answer of the user.

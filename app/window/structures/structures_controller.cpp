@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/structures/structures_controller.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
@@ -9,10 +10,13 @@
 #include "app/log/log.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
+#include "datasets/labels/distances.h"
 #include "datasets/labels/label_file.h"
+#include "datasets/labels/phantom_labels.h"
 #include "datasets/labels/segments.h"
 #include "datasets/readers/volume_header.h"
 #include "datasets/readers/volume_reader.h"
+#include "haptics/scene/watch.h"
 #include "ui/panels/structures_panel.h"
 #include "ui/views/volume_view.h"
 
@@ -26,7 +30,9 @@ constexpr std::int64_t kAllTriangles = 600'000, kLeastTriangles = 4'000, kMostTr
 /// the user knows.
 ui::OpenedAs kindOf(const std::filesystem::path& path, const haptics::Volume& scan,
                     const std::filesystem::path& place) {
-  if (path == place || !datasets::isVolumeFile(path)) return ui::OpenedAs::Scan;
+  if (path == place) return ui::OpenedAs::Scan;
+  if (!datasets::isVolumeFile(path))
+    return datasets::isDicomStructures(path) ? ui::OpenedAs::Structures : ui::OpenedAs::Scan;
   const auto segments = datasets::segmentsOf(path);
   if (segments && !segments->empty()) return ui::OpenedAs::Structures;
   const auto survey = datasets::survey(path);
@@ -80,6 +86,9 @@ void StructuresController::connectPanel() {
   connect(panel_, &Panel::opacityChosen, this, [this](int number, double opacity) {
     change(number, [&](StructureLook& look) { look.opacity = opacity; });
   });
+  connect(panel_, &Panel::watchChosen, this, &StructuresController::watch);
+  connect(panel_, &Panel::limitsChosen, this,
+          [this](const ui::NearLimits& limits) { limits_ = limits; });
   connect(panel_, &Panel::renamed, this, [this](int number, const QString& name) {
     const std::string shown = datasets::shownName(name.toStdString());
     change(number, [&](StructureLook& look) {
@@ -139,23 +148,59 @@ void StructuresController::open(const std::filesystem::path& path) {
   if (!shared_.shown)
     return messages_.showMessage(
         tr("There is no scan yet; open the scan of the structures first."));
+  read(path, {.of = shared_.shown->identity});
+}
+
+void StructuresController::read(const std::filesystem::path& path,
+                                const datasets::LabelReading& reading) {
+  ours_ = false;
+  read(
+      [path, reading, scan = scanOf(shared_.shown->volume())](const background::Watch& watch) {
+        return datasets::readLabels(
+            path, *scan,
+            {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel},
+            reading);
+      },
+      [this, path, reading](const haptics::Error& error) { return ask(path, reading, error); });
+}
+
+bool StructuresController::ask(const std::filesystem::path& path, datasets::LabelReading reading,
+                               const haptics::Error& error) {
+  const QString why = sentenceOf(error);
+  if (error.reason == "surface-space" && !reading.space) {
+    if (const auto left = messages_.askIfLeft(why)) {
+      reading.space = *left ? datasets::SurfaceSpace::Lps : datasets::SurfaceSpace::Ras;
+      read(path, reading);
+    }
+    return true;
+  }
+  if (error.kind != haptics::Error::Kind::Correctable) return false;
+  // the file may be of another patient, or placed otherwise: the user knows
+  reading.agreed = messages_.askWhether(
+      why, tr("Structures of another patient, or of another place, mislead."), tr("Open anyway"));
+  if (reading.agreed) read(path, reading);
+  return true;
+}
+
+void StructuresController::read(
+    std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading,
+    std::function<bool(const haptics::Error&)> answer) {
   messages_.clear();
   loading_.begin(tr("Reading the structures"));
   reader_.start(
-      [path, scan = scanOf(shared_.shown->volume())](
-          const background::Watch& watch) -> haptics::Expected<Read> {
-        auto map = datasets::readLabels(
-            path, *scan,
-            {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel});
+      [reading = std::move(reading)](const background::Watch& watch) -> haptics::Expected<Read> {
+        auto map = reading(watch);
         if (!map) return tl::unexpected(map.error());
         auto seen = std::make_shared<const ui::StructureMap>(seenMapOf(*map));
         auto boxes = ui::boxesOf(*seen, map->structures().size());
-        return Read{map->structures(), std::move(seen), std::move(boxes)};
+        return Read{map->structures(), std::move(seen), std::move(boxes),
+                    std::make_shared<const datasets::LabelMap>(std::move(*map))};
       },
-      [this](haptics::Expected<Read> read) {
+      [this, answer = std::move(answer)](haptics::Expected<Read> read) {
         loading_.end();
         if (read) return take(std::move(*read));
         if (read.error().kind == haptics::Error::Kind::Cancelled) return;
+        if (answer && answer(read.error())) return;
         const QString why = sentenceOf(read.error());
         messages_.showMessage(why);
         emit refused(why);
@@ -164,13 +209,16 @@ void StructuresController::open(const std::filesystem::path& path) {
 
 void StructuresController::take(Read read) {
   close();
+  labels_ = std::move(read.labels);
   shown_.map = std::move(read.map);
   for (std::size_t n = 0; n < read.structures.size(); ++n) {
     const datasets::Structure& structure = read.structures[n];
     const auto& [red, green, blue] = structure.colour;
     shown_.looks.push_back(
         {.name = structure.name.empty() ? tr("Structure %1").arg(n + 1)
-                                        : QString::fromStdString(structure.name),
+                 : ours_
+                     ? QCoreApplication::translate("app::structureTitle", structure.name.c_str())
+                     : QString::fromStdString(structure.name),
          .colour = QColor::fromRgbF(static_cast<float>(red), static_cast<float>(green),
                                     static_cast<float>(blue))});
   }
@@ -205,10 +253,82 @@ void StructuresController::makeShapes(std::vector<haptics::VoxelBox> boxes) {
 void StructuresController::close() {
   maker_.abandon();
   places_mm_.clear();
+  measurer_.abandon();
+  labels_.reset();
+  distances_.clear();
   // how all of them are drawn stays
   shown_.map.reset();
   shown_.looks.clear();
   show();
+  giveWatch();
+}
+
+void StructuresController::watch(int number, bool watched) {
+  const auto count = std::ranges::count_if(shown_.looks, &ui::StructureLook::watched);
+  if (watched && count == static_cast<std::ptrdiff_t>(haptics::kMostWatched)) {
+    messages_.showMessage(
+        tr("Distances to %1 structures are told at a time; tell fewer of the others.")
+            .arg(haptics::kMostWatched));
+    watched = false;
+  }
+  change(number, [&](ui::StructureLook& look) { look.watched = watched; });
+  makeDistances();
+  giveWatch();
+}
+
+void StructuresController::makeDistances() {
+  if (measurer_.isRunning() || !labels_) return;
+  const auto isDue = [&](int n) {
+    const auto number = static_cast<std::size_t>(n);
+    return shown_.looks[number].watched && !distances_.contains(n) &&
+           labels_->structures()[number].voxels > 0;
+  };
+  int number = 0;
+  while (number < static_cast<int>(shown_.looks.size()) && !isDue(number)) ++number;
+  if (number == static_cast<int>(shown_.looks.size())) return;
+  measurer_.start(
+      [labels = labels_, number](const background::Watch& watch) {
+        background::goLast();  // an edit or another scan comes first
+        // each of those that can be watched may have its share
+        return datasets::distancesTo(*labels, static_cast<std::uint8_t>(number),
+                                     datasets::distancesOf(haptics::kMostWatched),
+                                     [&](double) { return !watch.cancelled(); });
+      },
+      [this, number](haptics::Expected<haptics::DistanceMap> map) {
+        if (map) {
+          distances_[number] = std::move(*map);
+          giveWatch();
+        } else {
+          change(number, [](ui::StructureLook& look) { look.watched = false; });
+          messages_.showMessage(sentenceOf(map.error()));
+        }
+        makeDistances();
+      });
+}
+
+void StructuresController::giveWatch() {
+  auto watch = std::make_shared<haptics::Watch>();
+  for (const auto& [number, map] : distances_)
+    if (shown_.looks[static_cast<std::size_t>(number)].watched)
+      watch->structures.push_back({static_cast<std::uint8_t>(number), map});
+  if (watch->structures.empty()) watch.reset();
+  shared_.session.watch(std::move(watch));
+  if (!shared_.snapshot.near.empty()) showNear({});
+}
+
+void StructuresController::showNear(const haptics::Snapshot& snapshot) {
+  std::vector<ui::StructureNear> lines;
+  std::vector<std::pair<int, ui::StructureNear>> rows;
+  for (const haptics::Nearness& near : snapshot.near) {
+    const auto known = distances_.find(near.structure);
+    if (near.structure >= shown_.looks.size() || known == distances_.end()) continue;
+    const ui::StructureLook& look = shown_.looks[near.structure];
+    lines.push_back({look.name, look.colour, double(near.nearest) * ui::kMmPerM,
+                     near.nearest >= float(known->second.told())});
+    rows.emplace_back(near.structure, lines.back());
+  }
+  panel_->showNear(rows);
+  emit nearChanged(lines, limits_);
 }
 
 void StructuresController::showScene() {
@@ -220,6 +340,12 @@ void StructuresController::showScene() {
   sorter_.abandon();
   reader_.abandon();
   close();
+  const std::string phantom = std::exchange(awaited_, {});
+  if (phantom.empty() || !shared_.shown->place.empty()) return;
+  ours_ = true;
+  read([phantom, scan](const background::Watch& watch) {
+    return datasets::phantomLabels(phantom, scan->grid, &watch.cancel);
+  });
 }
 
 void StructuresController::goTo(int number) {

@@ -117,8 +117,8 @@ void ToolController::changeField(const QString& id) {
 
 LoadRequest ToolController::requestWith(const ToolSource& tool) const {
   const Loaded& shown = *shared_.shown;
-  return {.keep = std::make_shared<const Kept>(
-              Kept{shown.volume(), shown.picture, shown.title, shown.place, shown.greys}),
+  return {.keep = std::make_shared<const Kept>(Kept{shown.volume(), shown.picture, shown.title,
+                                                    shown.place, shown.greys, shown.identity}),
           .tool = tool,
           .isovalue = shared_.settings.isovalue};
 }

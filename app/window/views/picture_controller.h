@@ -31,6 +31,10 @@ class PictureController : public QObject {
   /// Clears the plot of the force, and appends to it.
   void clearForces() { panel_->clear(); }
   void appendForces(std::span<const haptics::ForceSample> points) { panel_->append(points); }
+  /// Shows how near structures are, beside the force.
+  void showNear(const std::vector<ui::StructureNear>& near, const ui::NearLimits& limits) {
+    panel_->showNear(near, limits);
+  }
 
  signals:
   /// A picture is about to be drawn; emitted sixty times a second.
