@@ -12,7 +12,7 @@
 namespace ui {
 namespace {
 
-constexpr int kMark = 10, kNameWidth = 110;  // px
+constexpr int kSwatch = 10, kStructureWidth = 110;  // px
 
 /// A sign, a word and a colour: none of them alone.
 struct HowNear {
@@ -59,7 +59,7 @@ NearnessLines::NearnessLines(QWidget* parent) : QWidget(parent) {
   for (int n = 0; n < kLines; ++n) {
     Line& line = lines_[static_cast<std::size_t>(n)];
     line = {new QLabel, new QLabel, new QLabel, new Figure(tr("Distance"))};
-    line.mark->setFixedSize(kMark, kMark);
+    line.mark->setFixedSize(kSwatch, kSwatch);
     line.mark->setAutoFillBackground(true);
     line.name->setTextFormat(Qt::PlainText);
     style::setType(*line.name, style::Type::Small);
@@ -85,7 +85,7 @@ void NearnessLines::show(std::vector<StructureNear> near, const NearLimits& limi
     QPalette palette = line.mark->palette();
     palette.setColor(QPalette::Window, one.colour);
     line.mark->setPalette(palette);
-    say(*line.name, line.name->fontMetrics().elidedText(one.name, Qt::ElideRight, kNameWidth));
+    say(*line.name, line.name->fontMetrics().elidedText(one.name, Qt::ElideRight, kStructureWidth));
     say(*line.sign, QString::fromUtf16(how.sign));
     const QString words = distanceWords(one);
     say(*line.distance, how.word.isEmpty() ? words : tr("%1, %2").arg(words, how.word));
