@@ -110,7 +110,7 @@ TEST(RecordedStructures, OfAProcessThatWasKilledAreRecovered) {
   ASSERT_TRUE(recovered) << sentence(recovered.error());
   const auto recording = Recording::open(*recovered);
   ASSERT_TRUE(recording) << sentence(recording.error());
-  EXPECT_EQ(recording->structures().size(), 2U);
+  EXPECT_EQ(recording->structures().size(), 3U);
 }
 
 Watch watchOf(std::initializer_list<std::uint8_t> structures) {
