@@ -77,7 +77,8 @@ bool isSame(const haptics::Grid& one, const haptics::Grid& other) {
 Expected<LabelMap> readLabels(const fs::path& path, const haptics::Volume& scan,
                               const ReadProgress& progress) {
   // a series of slices or a folder is a scan, or several; a mesh is none
-  if (fs::exists(path) && !isVolumeFile(path))
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && !isVolumeFile(path))
     return unsupported("not-labels", {"labels-unknown-format", {quoted(path)}});
   const auto survey = datasets::survey(path, progress.part(0.0, 0.02));
   if (!survey) return tl::unexpected(survey.error());

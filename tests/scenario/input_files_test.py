@@ -79,8 +79,12 @@ def main():
     faults = []
 
     def expect(code, words, *arguments, environment=None, limit=None):
-        done = subprocess.run([cli, *map(str, arguments)], capture_output=True, text=True, preexec_fn=limit,
-                              stdin=subprocess.DEVNULL, env={**os.environ, **(environment or {})})
+        try:
+            done = subprocess.run([cli, *map(str, arguments)], capture_output=True, text=True, preexec_fn=limit,
+                                  stdin=subprocess.DEVNULL, env={**os.environ, **(environment or {})}, timeout=300)
+        except subprocess.TimeoutExpired:
+            faults.append(f"{arguments}: waits, as for a pipe that nobody writes")
+            return
         said = done.stdout + done.stderr
         if done.returncode != code or words not in said:
             faults.append(f"{arguments}: exit {done.returncode}, not {code}, or no \"{words}\": {said}")
