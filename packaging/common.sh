@@ -204,5 +204,5 @@ build() {
 # virtual_display COMMAND…: runs it under an X server of its own
 virtual_display() {
   env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb \
-    xvfb-run -a -s "-screen 0 1280x900x24 +extension GLX" "$@"
+    xvfb-run -a -s "-screen 0 1280x900x24 -noreset +extension GLX" "$@"
 }

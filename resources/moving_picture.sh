@@ -43,7 +43,7 @@ trap end EXIT
 
 # a screen of its own, as large as the window, and preferences of nobody
 mkfifo "$work/display"
-Xvfb -displayfd 3 -screen 0 "${size}x24" -nolisten tcp 3> "$work/display" 2> /dev/null &
+Xvfb -displayfd 3 -screen 0 "${size}x24" -noreset -nolisten tcp 3> "$work/display" 2> /dev/null &
 started+=($!)
 read -r number < "$work/display"
 export DISPLAY=":$number" HOME="$work" XDG_CONFIG_HOME="$work" XDG_DATA_HOME="$work"

@@ -52,7 +52,7 @@ class Screen:
     def __init__(self):
         told, tells = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{SCREEN[0]}x{SCREEN[1]}x24"],
+            ["Xvfb", "-displayfd", str(tells), "-screen", "0", f"{SCREEN[0]}x{SCREEN[1]}x24", "-noreset"],
             pass_fds=[tells], stderr=subprocess.DEVNULL)
         os.close(tells)
         with os.fdopen(told) as number:

@@ -66,7 +66,7 @@ class Display:
 
     def __init__(self):
         told, tells = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1280x900x24"],
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1280x900x24", "-noreset"],
                                        pass_fds=[tells], stderr=subprocess.DEVNULL)
         running.insert(0, self.server)
         os.close(tells)

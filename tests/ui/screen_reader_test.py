@@ -43,7 +43,7 @@ except (ImportError, ValueError) as error:
 if INSIDE not in os.environ:
     # a display and a bus that nobody else uses; the bus starts what presses the keys, on that display
     os.environ[INSIDE] = "1"
-    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x900x24", "dbus-run-session", "--",
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x900x24 -noreset", "dbus-run-session", "--",
                            sys.executable, *sys.argv])
 
 BEGUN = time.monotonic()

@@ -95,7 +95,7 @@ with tempfile.TemporaryDirectory() as folder:
 
     # the display goes, and the display's library leaves: by exit(), which stops the motors first
     told, tells = os.pipe()
-    display = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1280x1024x24"], pass_fds=[tells],
+    display = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1280x1024x24", "-noreset"], pass_fds=[tells],
                                stderr=subprocess.DEVNULL)
     os.close(tells)
     os.environ["DISPLAY"] = ":" + os.read(told, 16).decode().strip()
