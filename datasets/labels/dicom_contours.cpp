@@ -239,7 +239,7 @@ class PlaneFilling {
     const Vec3 step_mm = steps_mm_.col(along_);
     const double height_mm = normal_.dot(first_mm), rise_mm = normal_.dot(step_mm);
     const auto heightAt = [&](std::int64_t n) { return height_mm + double(n) * rise_mm; };
-    const auto [low, high] = std::minmax(heightAt(box.first[axis]), heightAt(box.end[axis] - 1));
+    const auto [low, high] = std::minmax({heightAt(box.first[axis]), heightAt(box.end[axis] - 1)});
     if (high < plane.from_mm || low >= plane.to_mm) return {};
     crossings_.clear();
     const Eigen::Vector2d origin(right_.dot(first_mm), up_.dot(first_mm)),

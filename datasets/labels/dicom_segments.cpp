@@ -117,8 +117,6 @@ Expected<Planes> planesOf(const DicomFile& object, vtkDICOMMetaData* meta) {
   for (file.frame = 0; file.frame < file.frame_count; ++file.frame) {
     if (auto fault = placeSlice(meta, file)) return tl::unexpected(std::move(*fault));
     planes.of_frame.push_back(file.plane);
-    if (!isAlike(planes.of_frame.front(), file.plane))
-      return unsupported("mixed-orientation", {"labels-frames-turned", {quoted(file.path)}});
   }
   const auto direction = directionOf(planes.of_frame.front());
   const SlicePlane& any = planes.of_frame.front();
@@ -128,6 +126,9 @@ Expected<Planes> planesOf(const DicomFile& object, vtkDICOMMetaData* meta) {
   });
   if (!direction || !near || !(any.column_step_mm > 0.0) || !(any.row_step_mm > 0.0))
     return wrongField(file.path, "Pixel Measures Sequence");
+  if (!std::ranges::all_of(planes.of_frame,
+                           [&](const SlicePlane& plane) { return isAlike(any, plane); }))
+    return unsupported("mixed-orientation", {"labels-frames-turned", {quoted(file.path)}});
   planes.direction = *direction;
   const auto height_mm = [&](const SlicePlane& plane) {
     return planes.direction.col(2).dot(plane.position_mm);

@@ -103,8 +103,8 @@ Expected<void> LabelMap::add(const haptics::Volume& labels,
         std::optional<std::int64_t> last_label;
         const std::uint8_t* last_number = nullptr;
         for (std::int64_t k = box.first[2]; k < box.end[2]; ++k) {
-          if (progress.isCancelled()) return cancelled();
           progress.advanced(double(k - box.first[2]) / double(box.end[2] - box.first[2]));
+          if (progress.isCancelled()) return cancelled();
           for (std::int64_t j = box.first[1]; j < box.end[1]; ++j) {
             const Vec3 row = origin + turn * Vec3{0.0, double(j), double(k)};
             for (std::int64_t i = box.first[0]; i < box.end[0]; ++i) {
