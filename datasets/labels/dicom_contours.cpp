@@ -210,8 +210,6 @@ class PlaneFilling {
     const haptics::Grid& grid = map.grid();
     steps_mm_ = 1e3 * grid.direction * grid.spacing.asDiagonal();
     (grid.direction.transpose() * normal).cwiseAbs().minCoeff(&along_);
-    right_ = normal.unitOrthogonal();
-    up_ = normal.cross(right_);
   }
 
   Expected<void> fill(const ContourPlane& plane) {
@@ -242,25 +240,18 @@ class PlaneFilling {
     const auto [low, high] = std::minmax({heightAt(box.first[axis]), heightAt(box.end[axis] - 1)});
     if (high < plane.from_mm || low >= plane.to_mm) return {};
     crossings_.clear();
-    const Eigen::Vector2d origin(right_.dot(first_mm), up_.dot(first_mm)),
-        step(right_.dot(step_mm), up_.dot(step_mm));
+    const Vec3 along = step_mm - rise_mm * normal_, aside = normal_.cross(along);
     for (const Contour* contour : plane.contours) {
-      const auto sideOf = [&](const Eigen::Vector2d& corner) {
-        return step.x() * corner.y() - step.y() * corner.x();
-      };
-      const auto placed = [&](const Vec3& corner) {
-        return Eigen::Vector2d(right_.dot(corner), up_.dot(corner)) - origin;
-      };
-      Eigen::Vector2d before = placed(contour->back());
-      double side_before = sideOf(before);
+      Vec3 before = contour->back() - first_mm;
+      double side_before = aside.dot(before);
       for (const Vec3& corner : *contour) {
-        const Eigen::Vector2d here = placed(corner);
-        const double side = sideOf(here);
+        const Vec3 here = corner - first_mm;
+        const double side = aside.dot(here);
         // a corner on the line counts as on one of its sides, so each contour is crossed in pairs
         if ((side > 0.0) != (side_before > 0.0))
           crossings_.push_back(
-              step.dot(before + (here - before) * (side_before / (side_before - side))) /
-              step.squaredNorm());
+              along.dot(before + (here - before) * (side_before / (side_before - side))) /
+              along.squaredNorm());
         before = here;
         side_before = side;
       }
@@ -282,7 +273,7 @@ class PlaneFilling {
   }
 
   LabelMap& map_;
-  Vec3 normal_, right_, up_;
+  Vec3 normal_;
   haptics::Mat3 steps_mm_;
   int along_ = 0;
   std::uint8_t number_;
