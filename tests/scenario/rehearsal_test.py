@@ -133,7 +133,7 @@ class Session:
         column = lambda key: np.array([float(row[key] or "nan") for row in rows])
         self.ns = np.array([int(row["time_s"].replace(".", "")) for row in rows])
         self.place = np.stack([column("proxy_" + a) for a in "xyz"], axis=1)
-        self.turn = rotation(np.stack([column("proxy_q" + a) for a in "wxyz"], axis=1))
+        self.turn = rotation(np.stack([column("proxy_quat_" + a) for a in "wxyz"], axis=1))
         self.force = np.linalg.norm(np.stack([column("force_" + a) for a in "xyz"], axis=1), axis=1)
         self.touches = column("contacts") > 0
         self.points = points_of(tool)
