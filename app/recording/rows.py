@@ -10,13 +10,13 @@ import sqlite3
 import zlib
 
 TYPES = {"int64": "q", "uint64": "Q", "float64": "d", "uint32": "I", "float32": "f", "uint16": "H", "uint8": "B"}
-ROUNDING = 4  # user_version from which on there are differences and rounded columns
+ROUNDED = (4, 6)  # the user_version of files with differences and rounded columns
 
 
 def _opened(path):
     file = sqlite3.connect(path)
     meta = dict(file.execute("SELECT key, value FROM meta"))
-    rounding = file.execute("PRAGMA user_version").fetchone()[0] >= ROUNDING
+    rounding = file.execute("PRAGMA user_version").fetchone()[0] in ROUNDED
     return file, rounding, json.loads(meta["step_layout"]), json.loads(meta["contact_layout"])
 
 
