@@ -151,7 +151,7 @@ void tellInjuries(const Report& report, Page& page) {
   else if (count == 0)
     page.paragraph("The tool came into contact with no guarded structure.");
   else
-    page.paragraph(std::to_string(count) + " contacts with guarded structures" +
+    page.paragraph("Contacts with guarded structures: " + std::to_string(count) +
                    (std::size_t(count) > table.rows.size()
                         ? "; these are the first " + std::to_string(table.rows.size()) + "."
                         : "."));
