@@ -27,6 +27,8 @@ std::optional<Feel> feelFrom(const ordered_json& said) {
     if (!stiffness) return {};
     return Feel{.kind = Feel::Kind::Softer, .stiffness = *stiffness};
   }
+  if (said["feel"] == "solid") return Feel{.kind = Feel::Kind::Solid};
+  if (said["feel"] == "not-there") return Feel{.kind = Feel::Kind::NotThere};
   const auto margin = positive(said, "margin"), most = positive(said, "most");
   if (said["feel"] != "guarded" || !margin || !most) return {};
   return Feel{.kind = Feel::Kind::Guarded, .margin = *margin, .most = *most};
@@ -40,10 +42,22 @@ std::string wordsOf(const haptics::Watch& watch) {
     const Feel& feel = watched.feel;
     if (feel.kind == Feel::Kind::AsScan) continue;
     ordered_json one{{"number", watched.structure + 1}};
-    if (feel.kind == Feel::Kind::Softer)
-      one.update({{"feel", "softer"}, {"stiffness", feel.stiffness}});
-    else
-      one.update({{"feel", "guarded"}, {"margin", feel.margin}, {"most", feel.most}});
+    switch (feel.kind) {
+      case Feel::Kind::AsScan:
+        break;
+      case Feel::Kind::Softer:
+        one.update({{"feel", "softer"}, {"stiffness", feel.stiffness}});
+        break;
+      case Feel::Kind::Guarded:
+        one.update({{"feel", "guarded"}, {"margin", feel.margin}, {"most", feel.most}});
+        break;
+      case Feel::Kind::Solid:
+        one["feel"] = "solid";
+        break;
+      case Feel::Kind::NotThere:
+        one["feel"] = "not-there";
+        break;
+    }
     all.push_back(std::move(one));
   }
   return all.empty() ? std::string{} : all.dump();

@@ -120,11 +120,13 @@ Watch watchOf(std::initializer_list<std::uint8_t> structures) {
 }
 
 TEST(FeltWords, SayHowStructuresAreFelt) {
-  Watch watch = watchOf({0, 6, 30});
+  Watch watch = watchOf({0, 6, 30, 4, 5});
   EXPECT_EQ(wordsOf(watch), "");
   watch.structures[0].feel = {.kind = Feel::Kind::Softer, .stiffness = 321.5};
   watch.structures[2].feel = {.kind = Feel::Kind::Guarded, .margin = 0.0025, .most = 1.75};
-  const auto felt = feltAsSaid(wordsOf(watch), watchOf({30, 0, 6}));
+  watch.structures[3].feel.kind = Feel::Kind::Solid;
+  watch.structures[4].feel.kind = Feel::Kind::NotThere;
+  const auto felt = feltAsSaid(wordsOf(watch), watchOf({30, 0, 6, 5, 4}));
   ASSERT_TRUE(felt) << sentence(felt.error());
   EXPECT_EQ(felt->structures[0].feel.kind, Feel::Kind::Guarded);
   EXPECT_EQ(felt->structures[0].feel.margin, 0.0025);
@@ -132,7 +134,11 @@ TEST(FeltWords, SayHowStructuresAreFelt) {
   EXPECT_EQ(felt->structures[1].feel.kind, Feel::Kind::Softer);
   EXPECT_EQ(felt->structures[1].feel.stiffness, 321.5);
   EXPECT_EQ(felt->structures[2].feel.kind, Feel::Kind::AsScan);
+  EXPECT_EQ(felt->structures[3].feel.kind, Feel::Kind::NotThere);
+  EXPECT_EQ(felt->structures[4].feel.kind, Feel::Kind::Solid);
+  EXPECT_TRUE(felt->hasWalls());
   EXPECT_FALSE(feltAsSaid("", watch)->isFelt());
+  EXPECT_FALSE(feltAsSaid("", watch)->hasWalls());
   const auto lacks = feltAsSaid(wordsOf(watch), watchOf({0, 6}));
   ASSERT_FALSE(lacks);
   EXPECT_EQ(lacks.error().reason, "no-structures");
