@@ -36,6 +36,12 @@ std::optional<Feel> feelFrom(const ordered_json& said) {
 
 }  // namespace
 
+haptics::Error structureMissing(std::uint8_t structure) {
+  return {haptics::Error::Kind::NotFound,
+          {"replay-structure-missing", {std::to_string(structure + 1)}},
+          "no-structures"};
+}
+
 std::string wordsOf(const haptics::Watch& watch) {
   ordered_json all = ordered_json::array();
   for (const haptics::Watch::Watched& watched : watch.structures) {
@@ -82,12 +88,11 @@ haptics::Expected<haptics::Watch> feltAsSaid(const std::string& words,
     const auto feel = feelFrom(one);
     if (!feel) return damaged();
     const auto number = one["number"].get<std::int64_t>();
-    const auto at = std::ranges::find_if(
-        felt.structures, [&](const auto& watched) { return watched.structure + 1 == number; });
-    if (at == felt.structures.end())
-      return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
-                                           {"replay-structure-missing", {std::to_string(number)}},
-                                           "no-structures"});
+    if (number < 1 || number > 255) return damaged();
+    const auto structure = static_cast<std::uint8_t>(number - 1);
+    const auto at =
+        std::ranges::find(felt.structures, structure, &haptics::Watch::Watched::structure);
+    if (at == felt.structures.end()) return tl::unexpected(structureMissing(structure));
     at->feel = *feel;
   }
   return felt;

@@ -47,6 +47,11 @@ struct Watch {
     return std::ranges::any_of(
         structures, [](const Watched& watched) { return watched.feel.kind != Feel::Kind::AsScan; });
   }
+  /// The structure of this number; null: it is not watched.
+  const Watched* find(std::uint8_t structure) const {
+    const auto at = std::ranges::find(structures, structure, &Watched::structure);
+    return at == structures.end() ? nullptr : &*at;
+  }
   /// Whether one of them makes the volume that is touched another than the scan.
   bool hasWalls() const {
     return std::ranges::any_of(structures,
