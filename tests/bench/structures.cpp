@@ -81,7 +81,8 @@ int main(int argc, char** argv) {
   }
   const comparison::Touched touched = comparison::makeScene(name);
   const auto scene = haptics::makeScene(touched.volume, comparison::toolOf(touched)).value();
-  haptics::ClosedLoop loop{.scene = scene};
+  haptics::ClosedLoop loop;
+  loop.scene = scene;
   loop.settings.isovalue = touched.isovalue;
   loop.settings.stiffness = kStiffness;
   std::vector<haptics::Hand> hands;

@@ -220,6 +220,52 @@ TEST(Walls, MoveWithAnotherIsovalueAsStated) {
   }
 }
 
+/// The distance map of a label map's voxels, as datasets/labels makes it: to the nearest midpoint
+/// between a voxel that belongs to the shape and a neighbour that does not.
+DistanceMap mapOfLabels(const Grid& grid, const SignedDistance& truth) {
+  const auto place = [&](std::int64_t i, std::int64_t j, std::int64_t k) {
+    return grid.worldOf({double(i), double(j), double(k)});
+  };
+  std::vector<Vec3> midpoints;
+  eachVoxel(grid, [&](auto i, auto j, auto k) {
+    const Vec3 here = place(i, j, k);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 next = place(i + (axis == 0), j + (axis == 1), k + (axis == 2));
+      if ((truth(here) <= 0.0) != (truth(next) <= 0.0)) midpoints.push_back(0.5 * (here + next));
+    }
+  });
+  const double near = 4.0 * grid.spacing.maxCoeff();
+  return made::distanceMap(
+      grid,
+      [&](const Vec3& p) {
+        const double sign = truth(p) <= 0.0 ? -1.0 : 1.0;
+        if (std::abs(truth(p)) > near) return sign * kMost;
+        double nearest = kMost * kMost;
+        for (const Vec3& midpoint : midpoints)
+          nearest = std::min(nearest, (midpoint - p).squaredNorm());
+        return sign * std::sqrt(nearest);
+      },
+      kMost);
+}
+
+TEST(Walls, OfVoxelsThatBelongOrDoNotLieWithinHalfAVoxel) {
+  Random random{408};
+  for (const bool solid : {true, false}) {
+    Errors errors;
+    for (int k = 0; k < 6; ++k) {
+      const Grid grid = centredGrid(36, 5e-4);
+      const auto scan = matter(grid, solid ? -1000.0 : 1200.0, 20.0, random);
+      const Shape shape = shapeOf(k % 3, middleOf(grid) + random.box(5e-4), 4e-3, random);
+      const auto made = walledBy(scan, {{0, solid, mapOfLabels(grid, shape.distance)}});
+      measure(*made, kIsovalue, shape, 400, solid, random, errors);
+    }
+    errors = told(solid ? "solid, of labels" : "not there, of labels", errors);
+    EXPECT_LT(std::abs(errors.mean), 0.1);
+    EXPECT_LT(errors.worst, 0.55);
+    EXPECT_GT(errors.worst, 0.1);
+  }
+}
+
 /// Three balls in noise: two are walls of either kind that overlap.
 struct Mixed {
   explicit Mixed(Random& random, ScalarType type = ScalarType::Int16, int odd = -1)
