@@ -360,11 +360,11 @@ Outcome run(const RunOptions& options) {
   auto watch = watchOver(options.watch, **volume);
   if (!watch) return refused(watch.error());
   const std::vector<datasets::StructureWall> walls = wallsOf(watch->get());
-  const auto begun = std::chrono::steady_clock::now();
+  const auto before_walls = std::chrono::steady_clock::now();
   auto made = datasets::walled(*volume, walls, options.isovalue, {}, &interruption());
   if (!made) return refused(made.error());
   touched = *made;
-  const std::chrono::duration<double> wall_time = std::chrono::steady_clock::now() - begun;
+  const std::chrono::duration<double> wall_time = std::chrono::steady_clock::now() - before_walls;
 #endif
   auto scene = haptics::makeScene(touched, std::move(loaded->tool),
                                   {.field = fields().at(options.field),

@@ -28,6 +28,38 @@ constexpr std::int64_t kSlab = 4;    // slices that one thread does at a time
 constexpr std::int32_t kApart = 32;  // voxels between two runs, at least
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
+/// The box of samples between which a distance may be below `reach` [m].
+VoxelBox nearSamples(const haptics::DistanceMap& map, double reach) {
+  const auto& dims = map.grid.dims;
+  const auto below = std::int32_t(std::ceil(reach / map.step));
+  std::vector<VoxelBox> of_slice(static_cast<std::size_t>(dims[2]), {dims, {}});
+  haptics::inParallel(dims[2], [&](std::int64_t k) {
+    VoxelBox& box = of_slice[std::size_t(k)];
+    const std::int16_t* row = map.samples.get() + k * dims[0] * dims[1];
+    for (std::int64_t j = 0; j < dims[1]; ++j, row += dims[0]) {
+      const auto isNear = [below](std::int16_t sample) { return sample < below; };
+      const std::int16_t* const first = std::find_if(row, row + dims[0], isNear);
+      if (first == row + dims[0]) continue;
+      const std::int16_t* last = row + dims[0] - 1;
+      while (!isNear(*last)) --last;
+      box.first = {std::min(box.first[0], first - row), std::min(box.first[1], j), k};
+      box.end = {std::max(box.end[0], last - row + 1), j + 1, k + 1};
+    }
+  });
+  VoxelBox all{dims, {}};
+  for (const VoxelBox& box : of_slice)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      all.first[axis] = std::min(all.first[axis], box.first[axis]);
+      all.end[axis] = std::max(all.end[axis], box.end[axis]);
+    }
+  // one sample more on each side: what is linear between two
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    all.first[axis] = std::max<std::int64_t>(0, all.first[axis] - 1);
+    all.end[axis] = std::min(dims[axis], all.end[axis] + 1);
+  }
+  return all;
+}
+
 /// A structure's distances along the rows of a scan, in its longest voxel sides.
 class RowDistances {
  public:
@@ -38,16 +70,14 @@ class RowDistances {
         origin_{map_.grid.indexOf(scan.worldOf(Vec3::Zero()))} {
     for (int axis = 0; axis < 3; ++axis)
       step_.col(axis) = map_.grid.indexOf(scan.worldOf(Vec3::Unit(axis))) - origin_;
-    // the samples go `most` beyond the structure, its wall does not
-    const double beyond = std::max(0.0, map_.most - WallProfile::kReach * side);
+    const VoxelBox near = nearSamples(map_, WallProfile::kReach * side);
     const haptics::Mat3 to_scan = step_.inverse();
     Vec3 least = Vec3::Constant(kFar), most = -least;
     for (int corner = 0; corner < 8; ++corner) {
       Vec3 at;
       for (int axis = 0; axis < 3; ++axis) {
-        const double last = double(map_.grid.dims[std::size_t(axis)] - 1);
-        const double in = std::min(std::floor(beyond / map_.grid.spacing[axis]), 0.5 * last);
-        at[axis] = (corner >> axis & 1) != 0 ? last - in : in;
+        const auto of = std::size_t(axis);
+        at[axis] = double((corner >> axis & 1) != 0 ? near.end[of] - 1 : near.first[of]);
       }
       const Vec3 there = to_scan * (at - origin_);
       least = least.cwiseMin(there);
