@@ -23,6 +23,7 @@
 #include "app/window/sessions/recording_controller.h"
 #include "app/window/sessions/replay_controller.h"
 #include "app/window/structures/structures_controller.h"
+#include "app/window/structures/walls_controller.h"
 #include "app/window/touch/hand_controller.h"
 #include "app/window/touch/isosurface_controller.h"
 #include "app/window/touch/measurement_controller.h"
@@ -73,6 +74,7 @@ class Application::Parts : public QObject {
                         window.bar(),   window.escape(), shared};
   StructuresController structures{window.views(), window.messages(), window.loading(),
                                   window.menus(), window.panels(),   shared};
+  WallsController walls{window.messages(), shared};
   ViewFileController view_file;
   JournalController journal;
   RecordingController recording;
@@ -231,6 +233,7 @@ void Application::Parts::showScene(bool new_volume) {
   if (arguments_.notice) starting.offerTour();
   marks.showScene();
   structures.showScene();
+  walls.showScene();
   if (!arguments_.labels.empty()) structures.open(std::exchange(arguments_.labels, {}));
   if (new_volume) grey.showScene();
   journal.showScene();
@@ -266,6 +269,7 @@ void Application::Parts::closeReplay() {
   recording.setReady(shared.shown.has_value());
   hand.reopen();
   edit.setReplaying(false);
+  walls.showScene();
 }
 
 void Application::Parts::close() {
@@ -319,6 +323,8 @@ void Application::Parts::wireOpening() {
   connect(&opening, &Opening::pictureReplaced, &isosurface,
           [this] { isosurface.showScene(false); });
   connect(&window.touch(), &ui::TouchState::worded, &structures, &StructuresController::showNear);
+  connect(&structures, &StructuresController::watchGiven, &walls, &WallsController::setWatch);
+  connect(&walls, &WallsController::made, &opening, &Opening::replace);
   connect(&structures, &StructuresController::nearChanged, &picture, &PictureController::showNear);
   connect(&window, &ui::MainWindow::dropped, &structures, &StructuresController::sort);
   connect(&window.menus(), &ui::Menus::structuresTried, this, [this] {
@@ -346,6 +352,7 @@ void Application::Parts::wireTouch() {
   connect(&isosurface, &Isosurface::changed, &tool, &ToolController::showFieldSoon);
   connect(&isosurface, &Isosurface::changed, &marks.measures(), &ui::Measures::surfaceChanged);
   connect(&isosurface, &Isosurface::changed, &edit, &EditController::endPreview);
+  connect(&isosurface, &Isosurface::changed, &walls, &WallsController::showIsovalue);
   connect(&hand, &HandController::opened, &device, [this] {
     device.forget(Application::tr("Another hand was chosen: the device was disconnected."));
   });

@@ -59,12 +59,19 @@ Outcome replay(const ReplayOptions& options) {
     outcome.json["reasons"] = {"another-volume"};
     return outcome;
   }
+  std::shared_ptr<const haptics::Watch> watch;
+#ifdef PALPATE_READERS
+  auto watched = watchOver(options.watch, **volume);
+  if (!watched) return refused(watched.error());
+  watch = *watched;
+#endif
   std::optional<haptics::Error> failed;
   std::shared_ptr<const haptics::Scene> last;
   const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {
     const RecordedScene* then = recording->scene(id);
     if (then == nullptr || !liesLike(then->volume, **volume)) return nullptr;
-    const auto touched = editedAsRecorded(*volume, *then);
+    const auto touched =
+        touchedAsRecorded(*volume, *then, watch.get(), last ? last->volume : nullptr);
     if (!touched) {
       failed = touched.error();
       return nullptr;
@@ -76,12 +83,6 @@ Outcome replay(const ReplayOptions& options) {
     }
     return last = *made;
   };
-  std::shared_ptr<const haptics::Watch> watch;
-#ifdef PALPATE_READERS
-  auto watched = watchOver(options.watch, **volume);
-  if (!watched) return refused(watched.error());
-  watch = *watched;
-#endif
   const auto difference = replay(
       *recording, sceneOf, [](double) { return !interrupted(); }, watch.get());
   if (!difference) return refused(difference.error());

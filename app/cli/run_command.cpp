@@ -23,6 +23,7 @@
 #include "app/export/facts.h"
 #include "app/measurement/quantile.h"
 #include "app/recording/facts.h"
+#include "app/recording/walls.h"
 #include "haptics/devices/ratings.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/simulation/allowed_stiffness.h"
@@ -354,7 +355,18 @@ Outcome run(const RunOptions& options) {
          {"isovalue-below-background",
           {nlohmann::json(options.isovalue).dump(), nlohmann::json((*volume)->least).dump()}},
          "isovalue"});
-  auto scene = haptics::makeScene(*volume, std::move(loaded->tool),
+  std::shared_ptr<const haptics::Volume> touched = *volume;
+#ifdef PALPATE_READERS
+  auto watch = watchOver(options.watch, **volume);
+  if (!watch) return refused(watch.error());
+  const std::vector<datasets::StructureWall> walls = wallsOf(watch->get());
+  const auto before_walls = std::chrono::steady_clock::now();
+  auto made = datasets::walled(*volume, walls, options.isovalue, {}, &interruption());
+  if (!made) return refused(made.error());
+  touched = *made;
+  const std::chrono::duration<double> wall_time = std::chrono::steady_clock::now() - before_walls;
+#endif
+  auto scene = haptics::makeScene(touched, std::move(loaded->tool),
                                   {.field = fields().at(options.field),
                                    .normal = normals().at(options.normal),
                                    .fineness = options.fineness});
@@ -371,8 +383,6 @@ Outcome run(const RunOptions& options) {
                            {options.rate}};
   loop.budget_work = options.budget_work();
 #ifdef PALPATE_READERS
-  auto watch = watchOver(options.watch, **volume);
-  if (!watch) return refused(watch.error());
   loop.watch = *watch;
   Nearest nearest{*watch};
 #endif
@@ -442,8 +452,13 @@ Outcome run(const RunOptions& options) {
   for (const haptics::Structure& built : (*scene)->structures)
     outcome.json["structures"].push_back(
         {{"name", built.name}, {"bytes", built.bytes}, {"build_ms", built.build_time * 1e3}});
+#ifdef PALPATE_READERS
+  if (const datasets::Walled* walled = datasets::walledOf(*touched))
+    outcome.json["structures"].push_back(
+        {{"name", "walls"}, {"bytes", walled->bytes}, {"build_ms", wall_time.count() * 1e3}});
+#endif
   if ((*scene)->field.kind() == haptics::FieldKind::CubicSpline) {
-    const haptics::SmoothingEffect effect = haptics::smoothingEffect(**volume, options.isovalue);
+    const haptics::SmoothingEffect effect = haptics::smoothingEffect(*touched, options.isovalue);
     outcome.json["smoothing"] = {{"erased_share", effect.erased}, {"gained_share", effect.gained}};
   }
 #ifdef PALPATE_READERS

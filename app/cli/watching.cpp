@@ -48,6 +48,10 @@ Expected<std::pair<int, haptics::Feel>> feelFrom(const std::string& text) {
   int structure = 0;
   const auto read = std::from_chars(text.data(), text.data() + equals, structure);
   if (read.ec != std::errc{} || read.ptr != text.data() + equals) return wrong();
+  if (kind == "solid" && numbers.empty())
+    return std::pair{structure, haptics::Feel{.kind = haptics::Feel::Kind::Solid}};
+  if (kind == "not-there" && numbers.empty())
+    return std::pair{structure, haptics::Feel{.kind = haptics::Feel::Kind::NotThere}};
   if (kind == "softer" && numbers.size() == 1)
     return std::pair{structure,
                      haptics::Feel{.kind = haptics::Feel::Kind::Softer, .stiffness = numbers[0]}};
@@ -73,9 +77,10 @@ void addWatching(CLI::App& command, WatchChoice& choice, bool felt) {
       ->check(wholeNumber(1, int(datasets::kMostStructures)));
   if (felt)
     command
-        .add_option("--feel", choice.feels,
-                    "How a structure that is watched is felt: N=softer:STIFFNESS [N/m], "
-                    "N=guarded:MARGIN:MOST [mm, N]; repeat it for more than one")
+        .add_option(
+            "--feel", choice.feels,
+            "How a structure that is watched is felt: N=softer:STIFFNESS [N/m], "
+            "N=guarded:MARGIN:MOST [mm, N], N=solid or N=not-there; repeat it for more than one")
         ->allow_extra_args(false)
         ->needs(labels);
 }

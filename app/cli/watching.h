@@ -15,7 +15,8 @@ namespace app::cli {
 struct WatchChoice {
   std::string labels = {};           ///< a label map of the scan; empty: none is watched
   std::vector<int> structures = {};  ///< counted from 1, as info counts them; empty: all
-  /// How a structure is felt: "3=softer:300" [N/m], "2=guarded:2:1.5" [mm, N].
+  /// How a structure is felt: "3=softer:300" [N/m], "2=guarded:2:1.5" [mm, N], "1=solid",
+  /// "4=not-there".
   std::vector<std::string> feels = {};
 };
 /// Adds --labels and --watch, and --feel where it is felt.

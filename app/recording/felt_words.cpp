@@ -27,6 +27,8 @@ std::optional<Feel> feelFrom(const ordered_json& said) {
     if (!stiffness) return {};
     return Feel{.kind = Feel::Kind::Softer, .stiffness = *stiffness};
   }
+  if (said["feel"] == "solid") return Feel{.kind = Feel::Kind::Solid};
+  if (said["feel"] == "not-there") return Feel{.kind = Feel::Kind::NotThere};
   const auto margin = positive(said, "margin"), most = positive(said, "most");
   if (said["feel"] != "guarded" || !margin || !most) return {};
   return Feel{.kind = Feel::Kind::Guarded, .margin = *margin, .most = *most};
@@ -34,16 +36,34 @@ std::optional<Feel> feelFrom(const ordered_json& said) {
 
 }  // namespace
 
+haptics::Error structureMissing(std::uint8_t structure) {
+  return {haptics::Error::Kind::NotFound,
+          {"replay-structure-missing", {std::to_string(structure + 1)}},
+          "no-structures"};
+}
+
 std::string wordsOf(const haptics::Watch& watch) {
   ordered_json all = ordered_json::array();
   for (const haptics::Watch::Watched& watched : watch.structures) {
     const Feel& feel = watched.feel;
     if (feel.kind == Feel::Kind::AsScan) continue;
     ordered_json one{{"number", watched.structure + 1}};
-    if (feel.kind == Feel::Kind::Softer)
-      one.update({{"feel", "softer"}, {"stiffness", feel.stiffness}});
-    else
-      one.update({{"feel", "guarded"}, {"margin", feel.margin}, {"most", feel.most}});
+    switch (feel.kind) {
+      case Feel::Kind::AsScan:
+        break;
+      case Feel::Kind::Softer:
+        one.update({{"feel", "softer"}, {"stiffness", feel.stiffness}});
+        break;
+      case Feel::Kind::Guarded:
+        one.update({{"feel", "guarded"}, {"margin", feel.margin}, {"most", feel.most}});
+        break;
+      case Feel::Kind::Solid:
+        one["feel"] = "solid";
+        break;
+      case Feel::Kind::NotThere:
+        one["feel"] = "not-there";
+        break;
+    }
     all.push_back(std::move(one));
   }
   return all.empty() ? std::string{} : all.dump();
@@ -68,12 +88,11 @@ haptics::Expected<haptics::Watch> feltAsSaid(const std::string& words,
     const auto feel = feelFrom(one);
     if (!feel) return damaged();
     const auto number = one["number"].get<std::int64_t>();
-    const auto at = std::ranges::find_if(
-        felt.structures, [&](const auto& watched) { return watched.structure + 1 == number; });
-    if (at == felt.structures.end())
-      return tl::unexpected(haptics::Error{haptics::Error::Kind::NotFound,
-                                           {"replay-structure-missing", {std::to_string(number)}},
-                                           "no-structures"});
+    if (number < 1 || number > 255) return damaged();
+    const auto structure = static_cast<std::uint8_t>(number - 1);
+    const auto at =
+        std::ranges::find(felt.structures, structure, &haptics::Watch::Watched::structure);
+    if (at == felt.structures.end()) return tl::unexpected(structureMissing(structure));
     at->feel = *feel;
   }
   return felt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "haptics/core/error.h"
@@ -19,5 +20,8 @@ std::string wordsOf(const haptics::Watch& watch);
 /// A watch of the same structures that feels as the words say. Refuses words that say nothing sound
 /// ("damaged") and structures that the watch lacks ("no-structures").
 haptics::Expected<haptics::Watch> feltAsSaid(const std::string& words, const haptics::Watch& watch);
+
+/// The error ("no-structures") of a recording in which a structure was felt that is not known.
+haptics::Error structureMissing(std::uint8_t structure);
 
 }  // namespace app

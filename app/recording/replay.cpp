@@ -10,6 +10,7 @@
 
 #include "app/recording/felt_words.h"
 #include "datasets/edits/edited.h"
+#include "datasets/edits/walls.h"
 #include "haptics/servo/engagement.h"
 #include "haptics/servo/servo_tick.h"
 
@@ -100,6 +101,26 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
     return tl::unexpected(haptics::Error{
         haptics::Error::Kind::Unsupported, {"replay-other-edits", {}}, "other-edits"});
   return volume;
+}
+
+haptics::Expected<std::shared_ptr<const haptics::Volume>> touchedAsRecorded(
+    std::shared_ptr<const haptics::Volume> scan, const RecordedScene& scene,
+    const haptics::Watch* watch, const std::shared_ptr<const haptics::Volume>& previous) {
+  auto seen = editedAsRecorded(std::move(scan), scene);
+  if (!seen || scene.walls.empty()) return seen;
+  std::vector<datasets::StructureWall> walls;
+  for (const datasets::Walled::Wall& wall : scene.walls) {
+    const haptics::Watch::Watched* watched = watch ? watch->find(wall.structure) : nullptr;
+    if (watched == nullptr) return tl::unexpected(structureMissing(wall.structure));
+    walls.push_back({wall.structure, wall.solid, watched->distances});
+  }
+  auto touched = walled(std::move(*seen), walls, scene.walls_isovalue, previous);
+  if (!touched) return touched;
+  const datasets::Walled* made = datasets::walledOf(**touched);
+  if (made == nullptr || made->digest_of_walls != scene.walls_digest)
+    return tl::unexpected(haptics::Error{
+        haptics::Error::Kind::Unsupported, {"replay-other-structures", {}}, "other-structures"});
+  return touched;
 }
 
 haptics::Expected<ReplayDifference> replay(

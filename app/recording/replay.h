@@ -32,11 +32,19 @@ struct ReplayDifference {
   std::int64_t differing_distances = 0;  ///< by more than their rounding
 };
 
-/// The volume of a recorded scene: the scan after the scene's edits. Refuses edits that do not fit
-/// the scan, and a volume whose digest is not the recorded one, reason "other-edits".
+/// The volume that was on view in a recorded scene: the scan after the scene's edits. Refuses edits
+/// that do not fit the scan, and a volume whose digest is not the recorded one, reason
+/// "other-edits".
 haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
     std::shared_ptr<const haptics::Volume> scan, const RecordedScene& scene,
     const datasets::EditWatch& watch = {});
+
+/// The volume that a recorded scene touched: the same, with the walls of structures. Refuses
+/// ("no-structures") walls of structures that are not in the watch, which may be null, and
+/// ("other-structures") walls that come out otherwise.
+haptics::Expected<std::shared_ptr<const haptics::Volume>> touchedAsRecorded(
+    std::shared_ptr<const haptics::Volume> scan, const RecordedScene& scene,
+    const haptics::Watch* watch, const std::shared_ptr<const haptics::Volume>& previous = {});
 
 /// Runs the algorithm with the recorded device path, settings and cuts. `scene` returns the scene
 /// with a number, or null if it is not available; it is called once for each scene. `goes_on` is

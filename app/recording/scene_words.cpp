@@ -13,7 +13,9 @@
 
 #include "datasets/edits/edit_history.h"
 #include "datasets/edits/edited.h"
+#include "datasets/edits/walls.h"
 #include "haptics/process/input_file.h"
+#include "haptics/structures/nearness.h"
 
 namespace app {
 namespace {
@@ -161,11 +163,29 @@ std::string digestWord(std::uint64_t digest) {
   return {digits.data(), end};
 }
 
-/// The geometry, and what was taken away from the scan.
+std::uint64_t digestFrom(const json& word) {
+  const std::string text = word.get<std::string>();
+  std::uint64_t digest = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), digest, 16);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw json::other_error::create(501, "no digest", nullptr);
+  return digest;
+}
+
+/// The geometry, what was taken away from the scan, and which structures the touch had otherwise.
 json describedVolume(const haptics::Volume& volume) {
   json words = volumeWords(volume);
+  if (const datasets::Walled* walled = datasets::walledOf(volume)) {
+    json structures = json::array();
+    for (const datasets::Walled::Wall& wall : walled->walls)
+      structures.push_back(
+          {{"number", wall.structure + 1}, {"feel", wall.solid ? "solid" : "not-there"}});
+    words["walls"] = {{"structures", std::move(structures)},
+                      {"isovalue", walled->isovalue},
+                      {"digest", digestWord(walled->digest_of_walls)}};
+  }
   const datasets::Edited* edited = datasets::editedOf(volume);
-  if (edited == nullptr) return words;
+  if (edited == nullptr || edited->edits.empty()) return words;
   json edits = json::array();
   for (const datasets::Edit& edit : edited->edits)
     edits.push_back(json::parse(datasets::textOf(edit)));
@@ -184,11 +204,26 @@ void takeEdits(const json& words, RecordedScene& scene) {
     if (!edit) throw json::other_error::create(501, "no edit", nullptr);
     scene.edits.push_back(std::move(*edit));
   }
-  const std::string digest = words.at("edits_digest").get<std::string>();
-  const auto [end, error] =
-      std::from_chars(digest.data(), digest.data() + digest.size(), scene.edits_digest, 16);
-  if (error != std::errc{} || end != digest.data() + digest.size())
-    throw json::other_error::create(501, "no digest", nullptr);
+  scene.edits_digest = digestFrom(words.at("edits_digest"));
+}
+
+void takeWalls(const json& words, RecordedScene& scene) {
+  if (!words.contains("walls")) return;
+  const json& walls = words.at("walls");
+  const json& structures = walls.at("structures");
+  if (!structures.is_array() || structures.empty() || structures.size() > haptics::kMostWatched)
+    throw json::other_error::create(501, "no walls", nullptr);
+  for (const json& one : structures) {
+    const int number = whole<int>(one.at("number"));
+    const std::string feel = one.at("feel").get<std::string>();
+    if (number < 1 || number > 255 || (feel != "solid" && feel != "not-there"))
+      throw json::other_error::create(501, "no wall", nullptr);
+    scene.walls.push_back({static_cast<std::uint8_t>(number - 1), feel == "solid"});
+  }
+  scene.walls_isovalue = walls.at("isovalue").get<double>();
+  if (!std::isfinite(scene.walls_isovalue))
+    throw json::other_error::create(501, "not finite", nullptr);
+  scene.walls_digest = digestFrom(walls.at("digest"));
 }
 
 void takeSettings(const json& words, const SceneWords& stored, RecordedScene& scene) {
@@ -274,6 +309,7 @@ haptics::Expected<RecordedScene> sceneFrom(const SceneWords& words) {
     const json volume = parsed(words.volume);
     takeVolume(volume, scene.volume);
     takeEdits(volume, scene);
+    takeWalls(volume, scene);
   } catch (const json::exception&) {
     return damagedWords({"recording-damaged", {}});
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "datasets/edits/edit.h"
+#include "datasets/edits/walls.h"
 #include "haptics/core/error.h"
 #include "haptics/scene/scene.h"
 #include "haptics/servo/step.h"
@@ -32,6 +33,9 @@ struct RecordedScene {
   std::optional<VolumeHash> hash = {};     ///< of the scan
   std::vector<datasets::Edit> edits = {};  ///< of the scan that were in force
   std::uint64_t edits_digest = 0;          ///< Edited::digest; 0 without edits
+  std::vector<datasets::Walled::Wall> walls = {};  ///< structures that were solid or not there
+  double walls_isovalue = 0.0;                     ///< Walled::isovalue
+  std::uint64_t walls_digest = 0;                  ///< Walled::digest_of_walls
 };
 
 /// The words by which files and the command line name these choices.

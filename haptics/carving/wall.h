@@ -25,6 +25,7 @@ class WallProfile {
 
   WallProfile(double background, double greatest, double isovalue)
       : background_{background},
+        greatest_{greatest},
         isovalue_{isovalue},
         slope_{std::max(std::min((isovalue - background) / kBack, (greatest - isovalue) / kSolid),
                         1e-9)},
@@ -37,6 +38,15 @@ class WallProfile {
     if (distance < -back_) return background_;
     return std::max(background_,
                     isovalue_ + slope_ * distance + rise_ * std::max(0.0, distance - kStraight));
+  }
+  /// The least value of a voxel of a solid by its distance to the wall, which is negative within
+  /// it: the same line, falling through the isovalue, level from kBack voxels within the solid on.
+  double floor(double distance) const {
+    if (distance >= kReach) return background_;
+    const double line = isovalue_ - slope_ * std::max(distance, -kBack);
+    const double steep = std::max(0.0, isovalue_ - slope_ * kStraight - background_) /
+                         (kReach - kStraight) * std::max(0.0, distance - kStraight);
+    return std::clamp(line - steep, background_, greatest_);
   }
   /// Voxels before the wall: beyond, all are background.
   double back() const { return back_; }
@@ -78,7 +88,7 @@ class WallProfile {
  private:
   static constexpr double kMostBack = 8.0;  // voxels: of an isovalue near the greatest value
 
-  double background_, isovalue_, slope_, back_;
+  double background_, greatest_, isovalue_, slope_, back_;
   double rise_;  // of the steep part, beside the slope
 };
 

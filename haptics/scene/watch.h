@@ -16,14 +16,20 @@ namespace haptics {
 /// How a structure is felt, beside the isosurface.
 struct Feel {
   enum class Kind : std::uint8_t {
-    AsScan,  ///< as the scan has it: nothing changes
-    Softer,  ///< where it is touched, what is felt gives way
-    Guarded  ///< a force keeps the tool away from it
+    AsScan,   ///< as the scan has it: nothing changes
+    Softer,   ///< where it is touched, what is felt gives way
+    Guarded,  ///< a force keeps the tool away from it
+    // in these two it is another volume that is touched (datasets/edits/walls.h)
+    Solid,    ///< its own surface stops the tool, too
+    NotThere  ///< it is cut away for the touch
   };
   Kind kind = Kind::AsScan;
   double stiffness = 300.0;  ///< Softer: N/m of the tissue, above 0, in series with the coupling's
   double margin = 0.002;     ///< Guarded: m, from where on it is felt; above 0, and below told()
   double most = 2.0;         ///< Guarded: N, at the structure and within
+
+  /// Whether another volume is touched.
+  bool isWall() const { return kind == Kind::Solid || kind == Kind::NotThere; }
 };
 
 /// Structures to which the tool's distance is known in every tick. Immutable; it has its own order
@@ -40,6 +46,16 @@ struct Watch {
   bool isFelt() const HAPTICS_RT {
     return std::ranges::any_of(
         structures, [](const Watched& watched) { return watched.feel.kind != Feel::Kind::AsScan; });
+  }
+  /// The structure of this number; null: it is not watched.
+  const Watched* find(std::uint8_t structure) const {
+    const auto at = std::ranges::find(structures, structure, &Watched::structure);
+    return at == structures.end() ? nullptr : &*at;
+  }
+  /// Whether one of them makes the volume that is touched another than the scan.
+  bool hasWalls() const {
+    return std::ranges::any_of(structures,
+                               [](const Watched& watched) { return watched.feel.isWall(); });
   }
 };
 

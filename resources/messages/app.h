@@ -12,8 +12,8 @@ inline constexpr Row kApp[] = {
      "which have.",
      "unknown-name"},
     {"feel-unreadable",
-     "\"%1\" is no way to feel a structure; write its number and how, such as 3=softer:300 or "
-     "2=guarded:2:1.5.",
+     "\"%1\" is no way to feel a structure; write its number and how, such as 3=softer:300, "
+     "2=guarded:2:1.5, 1=solid or 4=not-there.",
      "unknown-name"},
     {"watch-too-many",
      "Distances to %1 structures are too many at a time; name %2 of them at most, with --watch.",

@@ -62,6 +62,10 @@ inline constexpr Row kRecordings[] = {
      "What was taken away from the scan in the recording comes out otherwise here: the scan or "
      "this version of Palpate is another; replay with the version that recorded it.",
      "other-edits"},
+    {"replay-other-structures",
+     "The structures that were solid or not there in the recording come out otherwise here: the "
+     "label map or this version of Palpate is another; replay with those of the recording.",
+     "other-structures"},
     {"volume-key-unusable",
      "The key of this installation, \"%1\", cannot be used (%2); volumes of recordings are not "
      "recognised until it can.",

@@ -1796,8 +1796,8 @@
         <translation>Die Label-Karte hat keine Struktur %1 mit Voxeln in der Aufnahme; welche ihrer %2 welche haben, sagt info --labels.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no way to feel a structure; write its number and how, such as 3=softer:300 or 2=guarded:2:1.5.</source>
-        <translation>„%1“ ist keine Art, eine Struktur zu spüren; schreiben Sie ihre Nummer und wie, etwa 3=softer:300 oder 2=guarded:2:1.5.</translation>
+        <source>&quot;%1&quot; is no way to feel a structure; write its number and how, such as 3=softer:300, 2=guarded:2:1.5, 1=solid or 4=not-there.</source>
+        <translation>„%1“ ist keine Art, eine Struktur zu spüren; schreiben Sie ihre Nummer und wie, etwa 3=softer:300, 2=guarded:2:1.5, 1=solid oder 4=not-there.</translation>
     </message>
     <message>
         <source>Distances to %1 structures are too many at a time; name %2 of them at most, with --watch.</source>

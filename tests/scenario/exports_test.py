@@ -443,7 +443,23 @@ def holds_distances(folder):
     check(said["steps"] == 2000 and said["differing"] == 0 == said["differing_distances"], f"a replay of what was felt: {said}")
     cli("replay", felt, "--volume", folder / "scan.nrrd", expect=3)
     cli("replay", felt, "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd", "--watch", 1, expect=3)
-    for wrong in ("1=softer", "1=softer:0", "x=softer:1", "1=guarded:25:1", "9=softer:1", "1=softer:1:2", "1=hard:1"):
+    # walls: solid and not there, made again from the label map
+    scan = "--volume", folder / "scan.nrrd"
+    walls = folder / "walls.palpate"
+    said = cli("run", *scan, "--labels", folder / "labels.nrrd", "--isovalue", 0, "--tool", "probe", "--hand", "slide", "--seconds", 1,
+               "--stiffness", 1000, "--feel", "1=solid", "--feel", "3=not-there", "--record", walls)
+    check(said["max_force_N"] != force["as"] and said["max_penetration_mm"] == 0.0 and said["contact_ticks"] > 100,
+          f"a run with walls: {said}")
+    check([one["bytes"] > 0 for one in said["structures"] if one["name"] == "walls"] == [True], f"walls: {said['structures']}")
+    again = cli("replay", walls, *scan, "--labels", folder / "labels.nrrd")
+    check(again["steps"] == 1000 and again["differing"] == 0, f"a replay with walls: {again}")
+    check("no-structures" in cli("replay", walls, *scan, expect=3)["reasons"], "walls without the label map")
+    voxels = (folder / "labels.nrrd").read_bytes()
+    at = voxels.index(b"\n\n") + 2
+    (folder / "swapped.nrrd").write_bytes(voxels[:at] + voxels[at:].translate(bytes.maketrans(b"\x04\x09", b"\x09\x04")))
+    check("other-structures" in cli("replay", walls, *scan, "--labels", folder / "swapped.nrrd", expect=3)["reasons"],
+          "walls with two labels swapped")
+    for wrong in ("1=solid:2", "1=not-there:1", "1=softer", "1=softer:0", "x=softer:1", "1=guarded:25:1", "9=softer:1", "1=softer:1:2", "1=hard:1"):
         cli("run", "--volume", folder / "scan.nrrd", "--labels", folder / "labels.nrrd", "--feel", wrong, "--isovalue", 0, "--tool",
             "probe", "--hand", "slide", "--seconds", 2, "--stiffness", 1000, expect=2)
     explained = json.loads((folder / "watched1000.table.columns.json").read_text())["columns"]["tip_to_3"]

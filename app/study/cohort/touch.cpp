@@ -341,7 +341,7 @@ class ScanAtHand {
     const auto sceneOf = [&](std::uint32_t id) -> std::shared_ptr<const Scene> {
       const app::RecordedScene* then = recording->scene(id);
       if (then == nullptr || !app::liesLike(then->volume, *volume_)) return nullptr;
-      const auto touched = app::editedAsRecorded(volume_, *then);
+      const auto touched = app::touchedAsRecorded(volume_, *then, nullptr);
       auto made = touched ? haptics::makeScene(*touched, then->tool, then->options, last.get())
                           : tl::unexpected(touched.error());
       if (!made) {

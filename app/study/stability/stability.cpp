@@ -63,7 +63,7 @@ Study stabilityStudy(Depth depth) {
       "Energy is what the loop gives to the hand less what it takes, exact for a force that is "
       "held. After a press and release nothing is stored any more: what is left was generated."};
   for (const auto& jobs : {failureJobs(depth), limitJobs(depth), pressJobs(depth), handJobs(depth),
-                           rateJobs(depth), rivalJobs(depth)})
+                           structureJobs(), rateJobs(depth), rivalJobs(depth)})
     study.jobs.insert(study.jobs.end(), jobs.begin(), jobs.end());
   study.jobs.push_back(
       {"omissions", "What is left out", 0.01, [=](std::uint64_t) { return omissions(depth); }});

@@ -23,6 +23,9 @@ std::vector<Job> pressJobs(Depth depth);
 /// Hands that wedge, pry and hook, and a handle that is turned while a long lever touches.
 std::vector<Job> handJobs(Depth depth);
 
+/// A press on a structure and a slide across it, for each way in which it can be felt.
+std::vector<Job> structureJobs();
+
 /// Every device at every rate that its link carries, through hands that tap, wedge, pry and hook:
 /// twenty minutes a device in full.
 std::vector<Job> rateJobs(Depth depth);

@@ -189,7 +189,7 @@ haptics::Expected<void> EditQueue::built(Made& made, const Loaded& shown,
                                          const Watch& watch) {
   const auto& volume = made.history->present();
   options.field = shown.scene->field.kind();
-  auto scene = haptics::makeScene(volume, shown.scene->tool, options, shown.scene.get());
+  auto scene = haptics::makeScene(volume, shown.scene->tool, options, shown.seenScene().get());
   if (!scene) return tl::unexpected(scene.error());
   made.scene = std::move(*scene);
   made.base = shown.scene;
@@ -247,6 +247,7 @@ void EditQueue::adopt() {
   history_ = std::move(made.history);
   Loaded loaded = *shared_.shown;
   loaded.scene = std::move(made.scene);
+  loaded.seen.reset();  // walls of structures follow
   loaded.start = made.start;
   loaded.note.clear();
   const char* const words[] = {"", "undo", "redo", "reset", "restore"};

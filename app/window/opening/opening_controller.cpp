@@ -94,7 +94,7 @@ void OpeningController::load(LoadRequest request, const QString& what) {
   if (!request.keep) choice_.close();
   request.options = shared_.options;
   if (request.path && !request.tool) request.tool = rememberedTool();
-  if (shared_.shown) request.previous = shared_.shown->scene;
+  if (shared_.shown) request.previous = shared_.shown->seenScene();
   loader_.start(std::move(request));
 }
 
@@ -120,7 +120,7 @@ void OpeningController::replace(const Loaded& loaded) {
   const bool placed = shared_.snapshot.scene == shared_.shown->scene->id;
   shared_.shown = loaded;
   emit this->loaded(false, placed);
-  views_.setTouched(touchedSurfaceOf(loaded.scene));
+  views_.setTouched(touchedSurfaceOf(loaded.seenScene()));
   emit shown(false);
 }
 
@@ -174,7 +174,7 @@ void OpeningController::adopt(const Loaded& loaded) {
   if (new_volume)
     window_.show(loaded.picture, shared_.settings.isovalue, loaded.title, loaded.greys);
   views_.show(loaded.scene->tool.mesh);
-  views_.setTouched(touchedSurfaceOf(loaded.scene));
+  views_.setTouched(touchedSurfaceOf(loaded.seenScene()));
   emit shown(new_volume);
 }
 

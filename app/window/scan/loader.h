@@ -55,12 +55,15 @@ struct Surveyed {
 
 /// A volume and a tool, ready for view and touch.
 struct Loaded {
-  /// The volume that is touched.
-  const std::shared_ptr<const haptics::Volume>& volume() const { return scene->volume; }
+  /// The scene over the volume on view; the touch may have walls of structures that it lacks.
+  const std::shared_ptr<const haptics::Scene>& seenScene() const { return seen ? seen : scene; }
+  /// The volume on view.
+  const std::shared_ptr<const haptics::Volume>& volume() const { return seenScene()->volume; }
 
   /// Of the volume, or, until that is ready, of the same scan before its last edits.
   ui::Picture picture;
-  std::shared_ptr<const haptics::Scene> scene;
+  std::shared_ptr<const haptics::Scene> scene;      ///< that is touched
+  std::shared_ptr<const haptics::Scene> seen = {};  ///< without walls; null: `scene` has none
   ToolSource tool;
   double isovalue = 0.0;
   haptics::Pose start = haptics::Pose::Identity();  ///< a legal pose in front of the surface, W

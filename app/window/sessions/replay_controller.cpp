@@ -137,7 +137,7 @@ void ReplayController::close() {
   emit forcesCleared();
   if (shared_.shown) {
     // as it was before
-    showOnView({shared_.shown->picture, shared_.shown->scene});
+    showOnView({shared_.shown->picture, shared_.shown->seenScene()});
     views_.show(shared_.shown->scene->tool.mesh);
     emit isovalueShown(shared_.shown->picture, shared_.settings.isovalue);
   }
@@ -171,7 +171,7 @@ void ReplayController::showOnView(const EditedScan& edited) {
 void ReplayController::showEdits(const RecordedScene& then) {
   if (then.edits_digest == edits_) return;
   if (then.edits_digest == digestOf(shared_.shown->picture))
-    return showOnView({shared_.shown->picture, shared_.shown->scene});
+    return showOnView({shared_.shown->picture, shared_.shown->seenScene()});
   edits_ = then.edits_digest;
   editor_.start(
       [then, scan = scanOf(shared_.shown->volume()), live = shared_.shown->scene](

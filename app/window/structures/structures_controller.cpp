@@ -16,7 +16,6 @@
 #include "datasets/labels/segments.h"
 #include "datasets/readers/volume_header.h"
 #include "datasets/readers/volume_reader.h"
-#include "haptics/scene/watch.h"
 #include "ui/panels/structures_panel.h"
 #include "ui/views/volume_view.h"
 
@@ -312,7 +311,8 @@ void StructuresController::giveWatch() {
     if (shown_.looks[static_cast<std::size_t>(number)].watched)
       watch->structures.push_back({static_cast<std::uint8_t>(number), map});
   if (watch->structures.empty()) watch.reset();
-  shared_.session.watch(std::move(watch));
+  shared_.session.watch(watch);
+  emit watchGiven(watch);
   if (!shared_.snapshot.near.empty()) showNear({});
 }
 

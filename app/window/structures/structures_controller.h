@@ -15,6 +15,7 @@
 #include "app/window/scan/shared_state.h"
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/label_map.h"
+#include "haptics/scene/watch.h"
 #include "haptics/structures/distance_map.h"
 #include "ui/panels/nearness_lines.h"
 #include "ui/props/structure_shape.h"
@@ -56,6 +57,8 @@ class StructuresController : public QObject {
   const ui::Structures& shown() const { return shown_; }
 
  signals:
+  /// What the session watches now, and how it is felt; null: nothing.
+  void watchGiven(const std::shared_ptr<const haptics::Watch>& watch);
   void scanWanted(const QStringList& paths);
   /// Structures are on view, in 3-D too.
   void opened();

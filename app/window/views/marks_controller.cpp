@@ -125,7 +125,7 @@ void MarksController::showScene() {
   measures_.setScan(
       {.grid = scan->grid,
        .unit = QString::fromStdString(scan->unit),
-       .value = [touched = touchedSurfaceOf(shown.scene)](const Eigen::Vector3d& p_mm) {
+       .value = [touched = touchedSurfaceOf(shown.seenScene())](const Eigen::Vector3d& p_mm) {
          return touched.value(p_mm / ui::kMmPerM);
        }});
   panel_->setReady(true);

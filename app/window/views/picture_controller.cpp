@@ -68,7 +68,7 @@ std::optional<ui::TouchedValue> PictureController::touchedIn(
       std::min<std::size_t>(static_cast<std::size_t>(snapshot.contacts), snapshot.places.size()));
   const auto hardest = std::ranges::max_element(places, {}, &haptics::ContactPlace::push);
   const haptics::Vec3 p_W = Eigen::Map<const Eigen::Vector3f>(hardest->p_W.data()).cast<double>();
-  return ui::TouchedValue{valueBehind(shared_.shown->scene->field, p_W),
+  return ui::TouchedValue{valueBehind(shared_.shown->seenScene()->field, p_W),
                           QString::fromStdString(shared_.shown->volume()->unit)};
 }
 

@@ -9,6 +9,8 @@
 #include "app/recording/database.h"
 #include "app/recording/felt_words.h"
 #include "app/recording/recorder.h"
+#include "app/recording/walls.h"
+#include "tests/support/made_distances.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
 #include "tests/unit/app/recording/recorded_hand.h"
@@ -120,11 +122,13 @@ Watch watchOf(std::initializer_list<std::uint8_t> structures) {
 }
 
 TEST(FeltWords, SayHowStructuresAreFelt) {
-  Watch watch = watchOf({0, 6, 30});
+  Watch watch = watchOf({0, 6, 30, 4, 5});
   EXPECT_EQ(wordsOf(watch), "");
   watch.structures[0].feel = {.kind = Feel::Kind::Softer, .stiffness = 321.5};
   watch.structures[2].feel = {.kind = Feel::Kind::Guarded, .margin = 0.0025, .most = 1.75};
-  const auto felt = feltAsSaid(wordsOf(watch), watchOf({30, 0, 6}));
+  watch.structures[3].feel.kind = Feel::Kind::Solid;
+  watch.structures[4].feel.kind = Feel::Kind::NotThere;
+  const auto felt = feltAsSaid(wordsOf(watch), watchOf({30, 0, 6, 5, 4}));
   ASSERT_TRUE(felt) << sentence(felt.error());
   EXPECT_EQ(felt->structures[0].feel.kind, Feel::Kind::Guarded);
   EXPECT_EQ(felt->structures[0].feel.margin, 0.0025);
@@ -132,7 +136,11 @@ TEST(FeltWords, SayHowStructuresAreFelt) {
   EXPECT_EQ(felt->structures[1].feel.kind, Feel::Kind::Softer);
   EXPECT_EQ(felt->structures[1].feel.stiffness, 321.5);
   EXPECT_EQ(felt->structures[2].feel.kind, Feel::Kind::AsScan);
+  EXPECT_EQ(felt->structures[3].feel.kind, Feel::Kind::NotThere);
+  EXPECT_EQ(felt->structures[4].feel.kind, Feel::Kind::Solid);
+  EXPECT_TRUE(felt->hasWalls());
   EXPECT_FALSE(feltAsSaid("", watch)->isFelt());
+  EXPECT_FALSE(feltAsSaid("", watch)->hasWalls());
   const auto lacks = feltAsSaid(wordsOf(watch), watchOf({0, 6}));
   ASSERT_FALSE(lacks);
   EXPECT_EQ(lacks.error().reason, "no-structures");
@@ -145,6 +153,92 @@ TEST(FeltWords, SayHowStructuresAreFelt) {
     const auto refused = feltAsSaid(words, watch);
     ASSERT_FALSE(refused) << words;
     EXPECT_EQ(refused.error().reason, "damaged") << words;
+  }
+}
+
+/// Of scene(): a ball beside its ball is solid, and a hole in it not there.
+Watch wallsInScene() {
+  const auto map = [](const Vec3& middle, double radius) {
+    return made::distanceMap(scene()->volume->grid,
+                             [=](const Vec3& p) { return (p - middle).norm() - radius; });
+  };
+  Watch watch;
+  watch.structures.push_back({4, map({0.0235, 0.0235, 0.040}, 4e-3), {.kind = Feel::Kind::Solid}});
+  watch.structures.push_back(
+      {9, map({0.0235, 0.030, 0.0345}, 5e-3), {.kind = Feel::Kind::NotThere}});
+  watch.structures.push_back({1, map({0.03, 0.02, 0.02}, 2e-3)});
+  return watch;
+}
+
+TEST(RecordedWalls, AreReplayedFromTheScanToTheBit) {
+  const ScratchFolder scratch;
+  const auto before = scene();
+  const Watch watch = wallsInScene();
+  EXPECT_EQ(wallsOf(&watch).size(), 2U);
+  EXPECT_TRUE(wallsOf(nullptr).empty());
+  for (const bool is_edited : {false, true}) {
+    const fs::path path = scratch / (is_edited ? "edited.palpate" : "walls.palpate");
+    std::vector<Edit> edits;
+    if (is_edited)
+      edits.push_back(PlaneCut{{0.0235, 0.0235, 0.0315}, Vec3{0.1, 0.2, 1.0}.normalized(), 0.0});
+    const auto seen = edited(before->volume, edits).value();
+    const auto volume = walled(seen, wallsOf(&watch), 0.0).value();
+    const auto touched = *makeScene(volume, before->tool);
+    recorded(path, HandMotion::Slide, 1500, 0.3, touched);
+    auto recording = Recording::open(path);
+    ASSERT_TRUE(recording) << sentence(recording.error());
+    const RecordedScene& then = recording->scenes().front();
+    EXPECT_EQ(then.walls, (std::vector<Walled::Wall>{{4, true}, {9, false}}));
+    EXPECT_EQ(then.walls_isovalue, 0.0);
+    EXPECT_EQ(then.edits.size(), edits.size());
+    const auto made = touchedAsRecorded(scene()->volume, then, &watch);
+    ASSERT_TRUE(made) << sentence(made.error());
+    const ReplayDifference same = replayed(*recording, *made);
+    EXPECT_EQ(same.differing, 0);
+    EXPECT_EQ(same.steps, 1500);
+    EXPECT_GT(replayed(*recording, seen).differing, 100);  // they were touched
+    // what was seen has no walls, and needs no structures
+    const auto shown = editedAsRecorded(before->volume, then);
+    ASSERT_TRUE(shown);
+    EXPECT_EQ(walledOf(**shown), nullptr);
+    // without the structures, without one of them, and with another in its place
+    Watch other = watch;
+    other.structures[0].structure = 5;
+    std::swap(other.structures[1].distances, other.structures[2].distances);
+    for (const Watch* lacks : std::vector<const Watch*>{nullptr, &other}) {
+      const auto refused = touchedAsRecorded(before->volume, then, lacks);
+      ASSERT_FALSE(refused);
+      EXPECT_EQ(refused.error().reason, "no-structures");
+      EXPECT_FALSE(sentence(refused.error()).empty());
+    }
+    other.structures[0].structure = 4;
+    const auto wrong = touchedAsRecorded(before->volume, then, &other);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().reason, "other-structures");
+    EXPECT_FALSE(sentence(wrong.error()).empty());
+  }
+}
+
+TEST(RecordedWalls, ThatSayNothingSoundAreRefused) {
+  const Watch watch = wallsInScene();
+  const auto before = scene();
+  const SceneWords words =
+      wordsOf(**makeScene(walled(before->volume, wallsOf(&watch), 0.0).value(), before->tool));
+  ASSERT_TRUE(sceneFrom(words));
+  for (const auto& [part, instead] : {std::pair{"\"digest\":\"", "\"digest\":\"x"},
+                                      {"\"digest\":", "\"dig\":"},
+                                      {"\"feel\":\"solid\"", "\"feel\":\"softer\""},
+                                      {"\"number\":5", "\"number\":0"},
+                                      {"\"number\":5", "\"number\":5.5"},
+                                      {"\"isovalue\":0.0", "\"isovalue\":null"},
+                                      {"\"structures\":[", "\"structures\":[7,"}}) {
+    SceneWords damaged = words;
+    const auto at = damaged.volume.find(part);
+    ASSERT_NE(at, std::string::npos) << part << " in " << damaged.volume;
+    damaged.volume.replace(at, std::string{part}.size(), instead);
+    const auto read = sceneFrom(damaged);
+    ASSERT_FALSE(read) << part;
+    EXPECT_EQ(read.error().reason, "damaged");
   }
 }
 
