@@ -337,7 +337,7 @@ TEST_F(Structures, ADropShowsThemAndAsksWhereTheFileDoesNotTell) {
   // the scan's own voxels, with labels and nothing that says so
   haptics::Mat3 mirrored;
   mirrored << -1, 0, 0, 0, 1, 0, 0, 0, 1;
-  write<std::uint8_t>(path("plain.nrrd"), gridOf({60, 50, 40}, 1e-3, mirrored), "uchar", "",
+  write<std::uint8_t>(path("plain.nrrd"), gridOf(kScanDims, kScanStep, mirrored), "uchar", "",
                       labelAt);
   const auto answer = [&](const QString& word) {
     auto* timer = new QTimer(&window());

@@ -17,8 +17,8 @@
 #include "app/recording/felt_words.h"
 #include "app/recording/recording.h"
 #include "app/window/sessions/replay.h"
-#include "app/window/structures/report_controller.h"
 #include "app/window/sessions/session_recording.h"
+#include "app/window/structures/report_controller.h"
 #include "haptics/session.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/views/structures_window.h"
@@ -184,12 +184,12 @@ TEST_F(StructuresTouch, MemoryIsSaidBeforeItIsTakenAndRefusedWhereThereIsNone) {
   double free = 1e12;
   free_memory_ = [&free] { return free; };
   start("");
-  const auto voxels = static_cast<double>(60 * 50 * 40);
+  const auto voxels = static_cast<double>(75 * 62 * 50);
   free = voxels - 1.0;
   QSignalSpy refused(&structures(), &app::StructuresController::refused);
   emit window().menus().structuresWanted(path("a.seg.nrrd"));
   ASSERT_EQ(refused.count(), 1);
-  EXPECT_TRUE(message().contains("Structures: 120.0 kB of memory are needed"))
+  EXPECT_TRUE(message().contains("Structures: 232.5 kB of memory are needed"))
       << message().toStdString();
   EXPECT_EQ(list().rowCount(), 0);
   free = 1e12;
@@ -200,14 +200,14 @@ TEST_F(StructuresTouch, MemoryIsSaidBeforeItIsTakenAndRefusedWhereThereIsNone) {
     for (const auto* label : window().findChildren<QLabel*>()) all += label->text() + '\n';
     return all;
   };
-  EXPECT_TRUE(loading().contains("Reading the structures, 120.0 kB of memory"))
+  EXPECT_TRUE(loading().contains("Reading the structures, 232.5 kB of memory"))
       << loading().toStdString();
   ASSERT_TRUE(waitFor([&] { return opened.count() == 1; }));
 
-  // the ball of 4 mm, with 30 mm and a voxel on all sides
+  // the ball of 4 mm, with 30 mm and a voxel of 0.8 mm on all sides
   list().selectRow(0);
   const std::int64_t bytes = structures().shown().looks[0].distance_bytes;
-  const auto side = static_cast<double>(2 * 30 + 2 + 7);
+  const auto side = static_cast<double>(2 * 39 + 10);
   EXPECT_NEAR(static_cast<double>(bytes), 2.0 * side * side * side,
               0.1 * static_cast<double>(bytes));
   const QString size = QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);

@@ -9,7 +9,9 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,6 +36,10 @@ inline constexpr const char* kSecret = "Doe, Jane: left nerve";
 // mm: one before the bone at the patient's left, one within it, one behind it at the right
 inline const Eigen::Vector3d kNerve{20.0, -6.0, 3.0}, kCanal{2.0, -1.0, -5.0},
     kSinus{-18.0, 14.0, -8.0};
+
+// no millimetre, so that a distance in voxels is another number
+inline constexpr std::array<std::int64_t, 3> kScanDims{75, 62, 50};
+inline constexpr double kScanStep = 0.8e-3;  // m
 
 inline haptics::Grid gridOf(std::array<std::int64_t, 3> dims, double spacing,
                             const haptics::Mat3& axes) {
@@ -88,7 +94,7 @@ class StructuresWindow : public testing::Test {
     haptics::Mat3 mirrored, turned;
     mirrored << -1, 0, 0, 0, 1, 0, 0, 0, 1;
     turned << 0, -1, 0, 0, 0, 1, 1, 0, 0;
-    write<std::int16_t>(path("scan.nrrd"), gridOf({60, 50, 40}, 1e-3, mirrored), "short", "",
+    write<std::int16_t>(path("scan.nrrd"), gridOf(kScanDims, kScanStep, mirrored), "short", "",
                         boneAt);
     write<std::uint8_t>(path("a.seg.nrrd"), gridOf({80, 120, 100}, 0.5e-3, turned), "uchar",
                         std::string("Segment0_ID:=a\nSegment0_Name:=") + kSecret +
