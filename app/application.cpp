@@ -425,12 +425,12 @@ void Application::Parts::wireViews() {
     structures.refresh();
   });
   connect(&picture, &PictureController::snapshotTaken, &device, &DeviceController::showForce);
-  using ViewFile = ViewFileController;
-  connect(&view_file, &ViewFile::scanWanted, &opening,
+  using File = ViewFileController;
+  connect(&view_file, &File::scanWanted, &opening,
           [this](const std::filesystem::path& path, const haptics::Grid& grid) {
             opening.load({.path = path, .grid = grid}, Application::tr("Reading"));
           });
-  connect(&view_file, &ViewFile::editsWanted, &edit, &EditController::restore);
+  connect(&view_file, &File::editsWanted, &edit, &EditController::restore);
   view_file.setKnown({.place =
                           [this](const VolumeHash& hash) {
                             const QString hex = QString::fromStdString(hexOf(hash));
@@ -445,11 +445,11 @@ void Application::Parts::wireViews() {
                               files.emplace_back(file.toStdString());
                             return files;
                           }});
-  connect(&view_file, &ViewFile::toolWanted, &tool, &ToolController::changeTool);
-  connect(&view_file, &ViewFile::poseWanted, &view, &ViewController::bringBack);
-  connect(&view_file, &ViewFile::isovalueWanted, &isosurface, &IsosurfaceController::set);
-  connect(&view_file, &ViewFile::refused, &screenshot, &ScreenshotController::fail);
-  connect(&view_file, &ViewFile::finished, &screenshot, &ScreenshotController::arrived);
+  connect(&view_file, &File::toolWanted, &tool, &ToolController::changeTool);
+  connect(&view_file, &File::poseWanted, &view, &ViewController::bringBack);
+  connect(&view_file, &File::isovalueWanted, &isosurface, &IsosurfaceController::set);
+  connect(&view_file, &File::refused, &screenshot, &ScreenshotController::fail);
+  connect(&view_file, &File::finished, &screenshot, &ScreenshotController::arrived);
   connect(&structures, &StructuresController::opened, &screenshot,
           [this] { screenshot.arrived(true); });
   connect(&structures, &StructuresController::refused, &screenshot, &ScreenshotController::fail);

@@ -58,10 +58,12 @@ ui::SeriesRow rowOf(const datasets::SeriesVerdict& series) {
 
 ui::SeriesRow rowOf(const datasets::StructuresFound& found, const QString& sentence) {
   const bool drawn = found.kind == datasets::StructuresFound::Kind::Contours;
-  return {.series = QString::fromStdString(datasets::shownName(found.name)),
-          .modality = drawn ? QStringLiteral("RTSTRUCT") : QStringLiteral("SEG"),
-          .verdict = ui::Verdict::Structures,
-          .sentence = sentence};
+  ui::SeriesRow row;
+  row.series = QString::fromStdString(datasets::shownName(found.name));
+  row.modality = drawn ? QStringLiteral("RTSTRUCT") : QStringLiteral("SEG");
+  row.verdict = ui::Verdict::Structures;
+  row.sentence = sentence;
+  return row;
 }
 
 // what is not known of its voxels is taken to be large

@@ -416,9 +416,9 @@ void StructuresController::makeDistances() {
   int number = 0;
   while (number < static_cast<int>(shown_.looks.size()) && !isDue(number)) ++number;
   if (number == static_cast<int>(shown_.looks.size())) return;
-  const ui::StructureLook& look = shown_.looks[static_cast<std::size_t>(number)];
-  const auto work = static_cast<double>(look.distance_bytes / 2 * datasets::kDistanceWork);
-  if (!mayTake(work, tr("Distances to \"%1\"").arg(look.name))) return watch(number, false);
+  const ui::StructureLook& due = shown_.looks[static_cast<std::size_t>(number)];
+  const auto work = static_cast<double>(due.distance_bytes / 2 * datasets::kDistanceWork);
+  if (!mayTake(work, tr("Distances to \"%1\"").arg(due.name))) return watch(number, false);
   measurer_.start(
       [labels = labels_, number](const background::Watch& watch) {
         background::goLast();  // an edit or another scan comes first
