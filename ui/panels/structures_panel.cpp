@@ -16,6 +16,7 @@
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "ui/controls/bindings.h"
@@ -380,6 +381,8 @@ void StructuresPanel::show(const Structures& structures) {
       showLook(*list_, row, structures.looks[number]);
   }
   shown_ = structures;
+  list_->setColumnHidden(StructureDistance,
+                         std::ranges::none_of(shown_.looks, &StructureLook::watched));
   if (others) search_->clear();
   through_->setChecked(structures.through);
   filled_->setChecked(structures.filled);
