@@ -7,6 +7,7 @@
 #include <QUrl>
 #include <utility>
 
+#include "app/recording/felt_words.h"
 #include "app/window/device/device_controller.h"
 #include "app/window/edits/edit_controller.h"
 #include "app/window/edits/surface_controller.h"
@@ -22,6 +23,7 @@
 #include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/recording_controller.h"
 #include "app/window/sessions/replay_controller.h"
+#include "app/window/structures/report_controller.h"
 #include "app/window/structures/structures_controller.h"
 #include "app/window/structures/walls_controller.h"
 #include "app/window/touch/hand_controller.h"
@@ -72,8 +74,7 @@ class Application::Parts : public QObject {
   MeasurementController measurement{window.panels(), shared};
   MarksController marks{window.views(), window.menus(),  window.panels(),
                         window.bar(),   window.escape(), shared};
-  StructuresController structures{window.views(), window.messages(), window.loading(),
-                                  window.menus(), window.panels(),   shared};
+  StructuresController structures;
   WallsController walls{window.messages(), shared};
   ViewFileController view_file;
   JournalController journal;
@@ -83,6 +84,8 @@ class Application::Parts : public QObject {
   SurfaceController surface{window, shared};
   ExportController exporting{window.views(), window.messages(),      window.loading(),
                              shared,         recording.recordings(), marks.measures()};
+  ReportController reporting{window.messages(), window.loading(), shared, recording.recordings(),
+                             structures};
   ScreenshotController screenshot;
   HelpController help{window.menus(), window.messages()};
   PacsController pacs;
@@ -134,6 +137,7 @@ haptics::Session& Application::session() { return parts_->shared.session; }
 const haptics::Snapshot& Application::snapshot() const { return parts_->shared.snapshot; }
 const std::optional<Loaded>& Application::shown() const { return parts_->shared.shown; }
 SessionRecording& Application::recording() { return parts_->recording.recording(); }
+ReportController& Application::reporting() { return parts_->reporting; }
 ExportController& Application::exporting() { return parts_->exporting; }
 EditController& Application::editing() { return parts_->edit; }
 MarksController& Application::marks() { return parts_->marks; }
@@ -148,6 +152,8 @@ Application::Parts::Parts(Application& application, Arguments arguments)
            arguments.hand, preferences.firstStiffness()),
       device(window.views(), window.messages(), window.panels(), window.touch(), window.startPage(),
              shared, preferences, arguments.devices),
+      structures(window.views(), window.messages(), window.loading(), window.menus(),
+                 window.panels(), shared, preferences, arguments.free_memory),
       view_file(window.views(), window.messages(), window.loading(), window.menus(), shared, marks,
                 arguments.screenshot.empty()),
       journal(window.messages(), shared, preferences, view_file, arguments.journal),
@@ -325,7 +331,11 @@ void Application::Parts::wireOpening() {
   connect(&window.touch(), &ui::TouchState::worded, &structures, &StructuresController::showNear);
   connect(&structures, &StructuresController::watchGiven, &walls, &WallsController::setWatch);
   connect(&walls, &WallsController::made, &opening, &Opening::replace);
+  connect(&opening, &Opening::surveyed, &structures, &StructuresController::know);
+  connect(&opening, &Opening::structuresWanted, &structures, &StructuresController::openFound);
   connect(&structures, &StructuresController::nearChanged, &picture, &PictureController::showNear);
+  connect(&structures, &StructuresController::nearChanged, &window.touch(),
+          &ui::TouchState::showNear);
   connect(&window, &ui::MainWindow::dropped, &structures, &StructuresController::sort);
   connect(&window.menus(), &ui::Menus::structuresTried, this, [this] {
     structures.awaitPhantom(kPhantomOfStructures);
@@ -388,10 +398,23 @@ void Application::Parts::wireSessions() {
   connect(&recording, &RecordingController::openWanted, &replay, &ReplayController::open);
   connect(&recording, &RecordingController::exportWanted, &exporting,
           &ExportController::exportRecording);
+  connect(&recording, &RecordingController::reportWanted, &reporting,
+          &ReportController::reportRecording);
+  connect(&reporting, &ReportController::momentWanted, &replay, &ReplayController::openAt);
+  connect(&reporting, &ReportController::pageWanted, this, [this](const QString& path) {
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path)))
+      window.messages().showMessage(
+          Application::tr("No program here shows pages. The report is \"%1\".").arg(path));
+  });
   connect(&recording, &RecordingController::deleting, &replay, &ReplayController::closeFile);
   connect(&recording, &RecordingController::starting, &replay, &ReplayController::close);
-  connect(&recording, &RecordingController::started, this,
-          [this] { noteHand(QString::fromStdString(hand.name())); });
+  connect(&recording, &RecordingController::started, this, [this] {
+    noteHand(QString::fromStdString(hand.name()));
+    // with a value: since the beginning
+    if (!structures.felt().isEmpty()) recording.note(kFeltEvent, structures.felt(), 1.0);
+  });
+  connect(&structures, &StructuresController::feltChanged, &recording,
+          [this](const QString& felt) { recording.note(kFeltEvent, felt); });
   connect(&replay, &ReplayController::opened, this, &Parts::openReplay);
   connect(&replay, &ReplayController::closed, this, &Parts::closeReplay);
   connect(&replay, &ReplayController::refused, &screenshot, &ScreenshotController::fail);
@@ -406,14 +429,15 @@ void Application::Parts::wireViews() {
     device.refresh();
     edit.refresh();
     marks.refresh();
+    structures.refresh();
   });
   connect(&picture, &PictureController::snapshotTaken, &device, &DeviceController::showForce);
-  using ViewFile = ViewFileController;
-  connect(&view_file, &ViewFile::scanWanted, &opening,
+  using File = ViewFileController;
+  connect(&view_file, &File::scanWanted, &opening,
           [this](const std::filesystem::path& path, const haptics::Grid& grid) {
             opening.load({.path = path, .grid = grid}, Application::tr("Reading"));
           });
-  connect(&view_file, &ViewFile::editsWanted, &edit, &EditController::restore);
+  connect(&view_file, &File::editsWanted, &edit, &EditController::restore);
   view_file.setKnown({.place =
                           [this](const VolumeHash& hash) {
                             const QString hex = QString::fromStdString(hexOf(hash));
@@ -428,11 +452,11 @@ void Application::Parts::wireViews() {
                               files.emplace_back(file.toStdString());
                             return files;
                           }});
-  connect(&view_file, &ViewFile::toolWanted, &tool, &ToolController::changeTool);
-  connect(&view_file, &ViewFile::poseWanted, &view, &ViewController::bringBack);
-  connect(&view_file, &ViewFile::isovalueWanted, &isosurface, &IsosurfaceController::set);
-  connect(&view_file, &ViewFile::refused, &screenshot, &ScreenshotController::fail);
-  connect(&view_file, &ViewFile::finished, &screenshot, &ScreenshotController::arrived);
+  connect(&view_file, &File::toolWanted, &tool, &ToolController::changeTool);
+  connect(&view_file, &File::poseWanted, &view, &ViewController::bringBack);
+  connect(&view_file, &File::isovalueWanted, &isosurface, &IsosurfaceController::set);
+  connect(&view_file, &File::refused, &screenshot, &ScreenshotController::fail);
+  connect(&view_file, &File::finished, &screenshot, &ScreenshotController::arrived);
   connect(&structures, &StructuresController::opened, &screenshot,
           [this] { screenshot.arrived(true); });
   connect(&structures, &StructuresController::refused, &screenshot, &ScreenshotController::fail);

@@ -29,6 +29,7 @@ class EditController;
 class ExportController;
 class MarksController;
 class Replay;
+class ReportController;
 class SessionRecording;
 class StructuresController;
 class ViewFileController;
@@ -69,6 +70,7 @@ class Application : public QObject {
   const std::optional<Loaded>& shown() const;
   SessionRecording& recording();
   ExportController& exporting();
+  ReportController& reporting();
   EditController& editing();
   MarksController& marks();
   ViewFileController& viewFile();

@@ -181,7 +181,32 @@ double steepestOf(const DistanceMap& map) {
 }
 
 // bytes of a sample while the map is made; two of them stay
-constexpr std::size_t kBytes = sizeof(float) + sizeof(std::int16_t) + 1;
+constexpr std::size_t kBytes = kDistanceWork;
+static_assert(kBytes == sizeof(float) + sizeof(std::int16_t) + 1);
+
+/// Where the samples of a map lie among the voxels of the scan.
+struct Samples {
+  std::int64_t every = 0;  ///< voxels of a sample along an axis
+  std::array<std::int64_t, 3> first, dims;
+  std::int64_t count() const { return dims[0] * dims[1] * dims[2]; }
+};
+
+/// Those of a structure in this box: as many as the options allow.
+Samples samplesOf(const Grid& scan, const haptics::VoxelBox& box, const DistanceOptions& options) {
+  Samples samples;
+  do {
+    ++samples.every;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto of = std::size_t(axis);
+      const std::int64_t every = samples.every;
+      const double side = double(every) * scan.spacing[axis];
+      const auto margin = std::int64_t(std::ceil(options.most / side)) + 1;
+      samples.first[of] = box.first[of] - margin * every;
+      samples.dims[of] = (box.end[of] - box.first[of] + every - 1) / every + 2 * margin;
+    }
+  } while (std::size_t(samples.count()) > options.most_bytes / kBytes);
+  return samples;
+}
 
 }  // namespace
 
@@ -191,6 +216,11 @@ DistanceOptions distancesOf(std::size_t maps) {
   options.most_bytes = std::min(options.most_bytes,
                                 std::size_t(each * double(kBytes) / double(sizeof(std::int16_t))));
   return options;
+}
+
+std::int64_t distanceSamples(const Grid& scan, const haptics::VoxelBox& box,
+                             const DistanceOptions& options) {
+  return samplesOf(scan, box, options).count();
 }
 
 Expected<DistanceMap> distancesTo(const LabelMap& labels, std::uint8_t structure,
@@ -206,18 +236,8 @@ Expected<DistanceMap> distancesTo(const LabelMap& labels, std::uint8_t structure
   DistanceMap map;
   map.most = options.most;
   map.step = options.most / std::numeric_limits<std::int16_t>::max();
-  std::int64_t every = 0;  // voxels of a sample along an axis
-  std::array<std::int64_t, 3> first;
-  do {
-    ++every;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto of = std::size_t(axis);
-      const double side = double(every) * scan.spacing[axis];
-      const auto margin = std::int64_t(std::ceil(options.most / side)) + 1;
-      first[of] = box.first[of] - margin * every;
-      map.grid.dims[of] = (box.end[of] - box.first[of] + every - 1) / every + 2 * margin;
-    }
-  } while (std::size_t(map.grid.voxelCount()) > options.most_bytes / kBytes);
+  const auto [every, first, sample_dims] = samplesOf(scan, box, options);
+  map.grid.dims = sample_dims;
   map.grid.spacing = double(every) * scan.spacing;
   map.grid.direction = scan.direction;
   const double centre = 0.5 * double(every - 1);

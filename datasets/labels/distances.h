@@ -22,6 +22,12 @@ struct DistanceOptions {
 /// and each no more than the default.
 DistanceOptions distancesOf(std::size_t maps);
 
+/// The samples of the map of a structure whose voxels lie in this box of the scan: two bytes each,
+/// and kDistanceWork while the map is made.
+std::int64_t distanceSamples(const haptics::Grid& scan, const haptics::VoxelBox& box,
+                             const DistanceOptions& options = {});
+inline constexpr std::int64_t kDistanceWork = 7;  ///< bytes
+
 /// The distances to a structure of the map, by its number; it must have voxels. Refuses
 /// ("too-large") what the free memory does not hold. `goes_on` gets the fraction that is done; if
 /// it returns false, the result is Error::Kind::Cancelled. Any thread; on all cores. Source of the

@@ -1807,6 +1807,14 @@
         <source>Structure %1 was felt in this recording; give the label map, with --labels, and watch it.</source>
         <translation>Struktur %1 wurde in dieser Aufzeichnung gespürt; geben Sie die Label-Karte mit --labels an, und beobachten Sie sie.</translation>
     </message>
+    <message>
+        <source>The structures that were solid or not there in the recording come out otherwise here: the label map or this version of Palpate is another; replay with those of the recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory to feel a structure as solid or not there; close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -1887,6 +1895,10 @@
     <message>
         <source>Making the phantom</source>
         <translation>Phantom wird erzeugt</translation>
+    </message>
+    <message>
+        <source>No program here shows pages. The report is &quot;%1&quot;.</source>
+        <translation>Kein Programm hier zeigt Seiten. Der Bericht ist „%1“.</translation>
     </message>
 </context>
 <context>
@@ -2645,6 +2657,53 @@
     </message>
 </context>
 <context>
+    <name>app::ReportController</name>
+    <message>
+        <source>A report tells distances to structures: open the scan of the recording and its structures first.</source>
+        <translation>Ein Bericht nennt Abstände zu Strukturen: Öffnen Sie zuerst die Aufnahme der Aufzeichnung und ihre Strukturen.</translation>
+    </message>
+    <message>
+        <source>Save report as</source>
+        <translation>Bericht speichern unter</translation>
+    </message>
+    <message>
+        <source>Report (*.html *.json *.csv)</source>
+        <translation>Bericht (*.html *.json *.csv)</translation>
+    </message>
+    <message>
+        <source>Making the report</source>
+        <translation>Der Bericht entsteht</translation>
+    </message>
+    <message>
+        <source>The recording is of another scan than the one on view; open its scan and the structures of that.</source>
+        <translation>Die Aufzeichnung gehört zu einer anderen als der gezeigten Aufnahme; öffnen Sie ihre Aufnahme und deren Strukturen.</translation>
+    </message>
+    <message>
+        <source>The report was written: &quot;%1&quot;.</source>
+        <translation>Der Bericht wurde geschrieben: „%1“.</translation>
+    </message>
+    <message>
+        <source>The report was written: &quot;%1&quot;. The recording has other distances: it was made with other structures.</source>
+        <translation>Der Bericht wurde geschrieben: „%1“. Die Aufzeichnung hat andere Abstände: Sie entstand mit anderen Strukturen.</translation>
+    </message>
+    <message>
+        <source>Farthest inside %1: %2 mm</source>
+        <translation>Am weitesten in %1: %2 mm</translation>
+    </message>
+    <message>
+        <source>Nearest to %1: %2 mm</source>
+        <translation>Am nächsten an %1: %2 mm</translation>
+    </message>
+    <message>
+        <source>Inside %1, which was guarded: %2 mm</source>
+        <translation>In %1, geschützt: %2 mm</translation>
+    </message>
+    <message>
+        <source>Contact with %1, which was guarded: %2 N</source>
+        <translation>Kontakt mit %1, geschützt: %2 N</translation>
+    </message>
+</context>
+<context>
     <name>app::ScreenshotController</name>
     <message>
         <source>The view was not opened.</source>
@@ -2677,6 +2736,10 @@
         <source>Picture and touch are then interpolated between the scan&apos;s own slices. The files stay unchanged.</source>
         <translation>Bild und Tastgefühl sind dann zwischen den Schichten der Aufnahme interpoliert. Die Dateien bleiben unverändert.</translation>
     </message>
+    <message>
+        <source>Structures of a scan. Load their scan first; then they are opened in it.</source>
+        <translation>Strukturen einer Aufnahme. Laden Sie zuerst ihre Aufnahme; dann werden sie in ihr geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>app::SessionRecording</name>
@@ -2704,10 +2767,6 @@
         <translation>Es ist noch keine Aufnahme geöffnet; öffnen Sie zuerst die der Strukturen.</translation>
     </message>
     <message>
-        <source>Reading the structures</source>
-        <translation>Strukturen werden gelesen</translation>
-    </message>
-    <message>
         <source>Structure %1</source>
         <translation>Struktur %1</translation>
     </message>
@@ -2722,6 +2781,33 @@
     <message>
         <source>Open anyway</source>
         <translation>Trotzdem öffnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) of structures lie with the scan.</source>
+        <translation>
+            <numerusform>Bei der Aufnahme liegt %n Datei mit Strukturen.</numerusform>
+            <numerusform>Bei der Aufnahme liegen %n Dateien mit Strukturen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open structures</source>
+        <translation>Strukturen öffnen</translation>
+    </message>
+    <message>
+        <source>Show the list</source>
+        <translation>Liste zeigen</translation>
+    </message>
+    <message>
+        <source>%1: %2 of memory are needed and %3 are free; close other programs.</source>
+        <translation>%1: %2 Speicher sind nötig und %3 sind frei; schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Reading the structures, %1 of memory</source>
+        <translation>Strukturen werden gelesen, %1 Speicher</translation>
+    </message>
+    <message>
+        <source>Distances to &quot;%1&quot;</source>
+        <translation>Abstände zu „%1“</translation>
     </message>
 </context>
 <context>
@@ -6429,6 +6515,14 @@
         <source>The next recording and its exports then hold an open hash, by which anybody who has this scan recognises it.</source>
         <translation>Die nächste Aufzeichnung und ihre Exporte enthalten dann eine offene Prüfsumme, an der jeder, der diese Aufnahme hat, sie wiedererkennt.</translation>
     </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Writes what the session had to do with the structures on view: times, forces, distances</source>
+        <translation>Schreibt, was die Sitzung mit den gezeigten Strukturen zu tun hatte: Zeiten, Kräfte, Abstände</translation>
+    </message>
 </context>
 <context>
     <name>ui::ReplayBar</name>
@@ -6616,6 +6710,33 @@
     </message>
 </context>
 <context>
+    <name>ui::ReportMoments</name>
+    <message>
+        <source>Moments of %1</source>
+        <translation>Momente von %1</translation>
+    </message>
+    <message>
+        <source>Moments of the session</source>
+        <translation>Momente der Sitzung</translation>
+    </message>
+    <message>
+        <source>A click or Enter shows the moment in the replay</source>
+        <translation>Ein Klick oder Enter zeigt den Moment in der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschah</translation>
+    </message>
+    <message>
+        <source>The tool came near no structure.</source>
+        <translation>Das Werkzeug kam keiner Struktur nahe.</translation>
+    </message>
+</context>
+<context>
     <name>ui::SaveDialog</name>
     <message>
         <source>Notes are saved as you wrote them: do not name the patient.</source>
@@ -6784,6 +6905,22 @@
     <message>
         <source>Closes the list; the present scan stays</source>
         <translation>Schließt die Liste; die jetzige Aufnahme bleibt</translation>
+    </message>
+    <message>
+        <source>structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open structures %1</source>
+        <translation>Strukturen %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Opens these structures in the scan on view</source>
+        <translation>Öffnet diese Strukturen in der gezeigten Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -7279,6 +7416,10 @@
         <source>Status line</source>
         <translation>Statuszeile</translation>
     </message>
+    <message>
+        <source>Nearest: %1, %2</source>
+        <translation>Am nächsten: %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::StopButton</name>
@@ -7454,10 +7595,6 @@
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Tells how far the tool is from the structure, beside the force and in recordings</source>
-        <translation>Nennt den Abstand des Werkzeugs von der Struktur, neben der Kraft und in Aufzeichnungen</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -7468,6 +7605,94 @@
     <message>
         <source>Close from</source>
         <translation>Sehr nah ab</translation>
+    </message>
+    <message>
+        <source>As the scan has it</source>
+        <translation>Wie in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Nothing changes where the structure is touched</source>
+        <translation>Nichts ändert sich, wo die Struktur berührt wird</translation>
+    </message>
+    <message>
+        <source>Softer</source>
+        <translation>Weicher</translation>
+    </message>
+    <message>
+        <source>Where the structure is touched, what is felt gives way</source>
+        <translation>Wo die Struktur berührt wird, gibt nach, was man fühlt</translation>
+    </message>
+    <message>
+        <source>Guarded</source>
+        <translation>Geschützt</translation>
+    </message>
+    <message>
+        <source>A force keeps the tool away from the structure</source>
+        <translation>Eine Kraft hält das Werkzeug von der Struktur fern</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source> N/m</source>
+        <translation> N/m</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb von</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Found with the scan</source>
+        <translation>Bei der Aufnahme gefunden</translation>
+    </message>
+    <message>
+        <source>Opens DICOM structures that lie with the scan: segmentations, contours</source>
+        <translation>Öffnet DICOM-Strukturen, die bei der Aufnahme liegen: Segmentierungen, Konturen</translation>
+    </message>
+    <message>
+        <source>How the structure is felt</source>
+        <translation>Wie die Struktur sich anfühlt</translation>
+    </message>
+    <message>
+        <source>What is felt beside the surface of the scan; the distance is told then</source>
+        <translation>Was neben der Oberfläche der Aufnahme gefühlt wird; der Abstand wird dann genannt</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Gefühlt</translation>
+    </message>
+    <message>
+        <source>Tell the distance: %1</source>
+        <translation>Abstand nennen: %1</translation>
+    </message>
+    <message>
+        <source>Tells how far the tool is from the structure, beside the force and in recordings. Its distances need %1 of memory.</source>
+        <translation>Nennt neben der Kraft und in Aufzeichnungen, wie weit das Werkzeug von der Struktur ist. Ihre Abstände brauchen %1 Speicher.</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>The structure&apos;s own surface stops the tool, too</source>
+        <translation>Auch die eigene Oberfläche der Struktur hält das Werkzeug auf</translation>
+    </message>
+    <message>
+        <source>Not there</source>
+        <translation>Nicht da</translation>
+    </message>
+    <message>
+        <source>The tool goes into the structure as into air; what is shown stays</source>
+        <translation>Das Werkzeug fährt in die Struktur wie in Luft; zu sehen bleibt sie</translation>
     </message>
 </context>
 <context>

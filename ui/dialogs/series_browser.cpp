@@ -81,6 +81,8 @@ QString wordFor(Verdict verdict) {
       return SeriesBrowser::tr("correctable");
     case Verdict::InPart:
       return SeriesBrowser::tr("in part");
+    case Verdict::Structures:
+      return SeriesBrowser::tr("structures");
     case Verdict::Refused:
       break;
   }
@@ -97,7 +99,7 @@ QString sizeOf(const SeriesRow& row) {
 
 // what is refused may state anything
 QString spacingOf(const SeriesRow& row) {
-  if (row.verdict == Verdict::Refused) return {};
+  if (row.verdict == Verdict::Refused || row.verdict == Verdict::Structures) return {};
   const auto figure = [](double mm) { return QLocale().toString(mm, 'g', 4); };
   return SeriesBrowser::tr("%1 × %2 × %3 mm")
       .arg(figure(row.spacing_mm[0]), figure(row.spacing_mm[1]), figure(row.spacing_mm[2]));
@@ -130,7 +132,7 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
   patients->setToolTip(tr("Shows the patients' names until the list is closed"));
   connect(patients, &QCheckBox::toggled, this, &SeriesBrowser::showPatients);
   auto* top = new QHBoxLayout;
-  top->addWidget(new QLabel(tr("%n series found", nullptr, static_cast<int>(rows.size()))));
+  top->addWidget(new QLabel(tr("%n series found", nullptr, seriesCount())));
   top->addStretch();
   top->addWidget(patients);
 
@@ -176,6 +178,11 @@ SeriesBrowser::SeriesBrowser(const QString& place, const QList<SeriesRow>& rows,
              .boundedTo(screen()->availableSize() * 0.95));
 }
 
+int SeriesBrowser::seriesCount() const {
+  return static_cast<int>(rows_.size() -
+                          std::ranges::count(rows_, Verdict::Structures, &SeriesRow::verdict));
+}
+
 int SeriesBrowser::columnOf(int column) const { return column + (patients_shown_ ? 1 : 0); }
 
 void SeriesBrowser::fill() {
@@ -219,7 +226,8 @@ void SeriesBrowser::fillRow(int row, const QIcon& verdict, const QIcon& no_pictu
   const SeriesRow& series = rows_[row];
   auto* middle = new QTableWidgetItem;
   middle->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
-  middle->setIcon(no_picture_yet);
+  const bool structures = series.verdict == Verdict::Structures;
+  if (!structures) middle->setIcon(no_picture_yet);
   table_->setItem(row, Middle, middle);
   table_->setItem(row, Study, itemOf(series.study));
   table_->setItem(row, Series, itemOf(series.series));
@@ -228,7 +236,7 @@ void SeriesBrowser::fillRow(int row, const QIcon& verdict, const QIcon& no_pictu
   table_->setItem(row, Spacing, itemOf(spacingOf(series)));
   table_->setItem(row, Memory, itemOf(memoryOf(series)));
   QTableWidgetItem* word = itemOf(wordFor(series.verdict));
-  word->setIcon(verdict);
+  if (!structures) word->setIcon(verdict);
   word->setToolTip(series.sentence);
   table_->setItem(row, Word, word);
   table_->setItem(row, Load, itemOf(QStringLiteral(" ")));
@@ -246,11 +254,14 @@ void SeriesBrowser::addLoadButtons() {
 }
 
 void SeriesBrowser::addLoadButton(int row) {
-  auto* load = new QPushButton(tr("Load"));
+  const bool structures = rows_[row].verdict == Verdict::Structures;
+  auto* load = new QPushButton(structures ? tr("Open") : tr("Load"));
   load->setObjectName(QStringLiteral("load%1").arg(row));
   load->setAutoDefault(false);
-  load->setAccessibleName(tr("Load series %1").arg(row + 1));
-  load->setToolTip(tr("Loads this series"));
+  load->setAccessibleName(structures ? tr("Open structures %1").arg(row + 1 - seriesCount())
+                                     : tr("Load series %1").arg(row + 1));
+  load->setToolTip(structures ? tr("Opens these structures in the scan on view")
+                              : tr("Loads this series"));
   load->setFocusPolicy(Qt::NoFocus);
   connect(load, &QPushButton::clicked, this, [this, row] {
     table_->selectRow(row);

@@ -21,6 +21,7 @@ enum class Verdict {
   Sound,
   Correctable,  ///< resampled, if the user agrees
   InPart,       ///< slices are missing: the largest part without a gap, if the user agrees
+  Structures,   ///< no scan: structures, which are opened in their scan
   Refused
 };
 
@@ -57,6 +58,7 @@ class SeriesBrowser : public QDialog {
  private:
   void fill();
   void fillRow(int row, const QIcon& verdict, const QIcon& no_picture_yet);
+  int seriesCount() const;
   void addLoadButtons();
   void addLoadButton(int row);
   void showPatients(bool shown);

@@ -50,6 +50,11 @@ QString distanceWords(const StructureNear& near) {
                          : NearnessLines::tr("%1 mm").arg(mm);
 }
 
+QString nearWords(const StructureNear& near, const NearLimits& limits) {
+  const QString words = distanceWords(near), how = howNear(near.distance_mm, limits).word;
+  return how.isEmpty() ? words : NearnessLines::tr("%1, %2").arg(words, how);
+}
+
 NearnessLines::NearnessLines(QWidget* parent) : QWidget(parent) {
   setObjectName("nearness");
   auto* grid = new QGridLayout(this);
@@ -87,8 +92,7 @@ void NearnessLines::show(std::vector<StructureNear> near, const NearLimits& limi
     line.mark->setPalette(palette);
     say(*line.name, line.name->fontMetrics().elidedText(one.name, Qt::ElideRight, kStructureWidth));
     say(*line.sign, QString::fromUtf16(how.sign));
-    const QString words = distanceWords(one);
-    say(*line.distance, how.word.isEmpty() ? words : tr("%1, %2").arg(words, how.word));
+    say(*line.distance, nearWords(one, limits));
     line.distance->setAccessibleName(tr("Distance to %1").arg(one.name));
     setColour(*line.sign, how.colour);
     setColour(*line.distance, how.colour);

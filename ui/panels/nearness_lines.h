@@ -14,7 +14,10 @@ namespace ui {
 /// How near is near: distances [mm] from which on a structure is near, and close.
 struct NearLimits {
   double near_mm = 5.0, close_mm = 2.0;
+
+  bool operator==(const NearLimits&) const = default;
 };
+inline constexpr double kLeastNear_mm = 0.1, kMostNear_mm = 20.0;
 
 /// How near the tool's nearest point is to a structure.
 struct StructureNear {
@@ -26,6 +29,8 @@ struct StructureNear {
 
 /// "3.2 mm", "over 20 mm", "inside".
 QString distanceWords(const StructureNear& near);
+/// "3.2 mm, near": what its colour says, too.
+QString nearWords(const StructureNear& near, const NearLimits& limits);
 
 /// The structures that the tool is nearest to, a line each, the nearest first: name, and distance
 /// in large figures. Near, close and inside differ by colour, sign and word.

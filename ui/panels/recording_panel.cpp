@@ -113,6 +113,7 @@ RecordingPanel::RecordingPanel(QWidget* parent)
       label_(new QLineEdit),
       open_(new QPushButton),
       export_(new QPushButton(tr("Export…"))),
+      report_(new QPushButton(tr("Report…"))),
       delete_(new QPushButton(tr("Delete"))) {
   note_->setObjectName("markNote");
   note_->setMaxLength(kLongestNote);
@@ -218,23 +219,32 @@ QWidget* RecordingPanel::buildList() {
   open_->setObjectName("openRecording");
   export_->setObjectName("exportRecording");
   export_->setToolTip(tr("Writes the chosen recording as tables or as a film"));
+  report_->setObjectName("reportRecording");
+  report_->setToolTip(tr(
+      "Writes what the session had to do with the structures on view: times, forces, distances"));
   delete_->setObjectName("deleteRecording");
   delete_->setToolTip(tr("Deletes the chosen recording, after a question"));
-  auto* row = new QHBoxLayout;
-  for (QPushButton* button : {open_, export_, delete_}) row->addWidget(button);
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(open_, 0, 0);
+  buttons->addWidget(export_, 0, 1);
+  buttons->addWidget(report_, 1, 0);
+  buttons->addWidget(delete_, 1, 1);
 
   auto* all = new QWidget;
   auto* column = new QVBoxLayout(all);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(list_, 1);
   column->addWidget(label_);
-  column->addLayout(row);
+  column->addLayout(buttons);
   connect(label_, &QLineEdit::editingFinished, this, &RecordingPanel::takeLabel);
   connect(list_, &QTableWidget::itemSelectionChanged, this, &RecordingPanel::showSelected);
   connect(list_, &QTableWidget::cellActivated, this, &RecordingPanel::openSelected);
   connect(open_, &QPushButton::clicked, this, &RecordingPanel::openSelected);
   connect(export_, &QPushButton::clicked, this, [this] {
     if (const PastRecording* recording = selected()) emit exportWanted(recording->id);
+  });
+  connect(report_, &QPushButton::clicked, this, [this] {
+    if (const PastRecording* recording = selected()) emit reportWanted(recording->id);
   });
   connect(delete_, &QPushButton::clicked, this, &RecordingPanel::askToDelete);
   return all;
@@ -376,7 +386,8 @@ void RecordingPanel::showSelected() {
   open_->setToolTip(finished ? tr("Replays the chosen recording in the scene")
                              : tr("Restores a recording that was never finished"));
   open_->setEnabled(recording != nullptr);
-  export_->setEnabled(recording != nullptr && finished);
+  for (QPushButton* button : {export_, report_})
+    button->setEnabled(recording != nullptr && finished);
   delete_->setEnabled(recording != nullptr);
   label_->setEnabled(recording != nullptr);
   const QString id = recording == nullptr ? QString{} : recording->id;

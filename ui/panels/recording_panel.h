@@ -90,6 +90,7 @@ class RecordingPanel : public QWidget {
   void markWanted(const QString& note);
   void openWanted(const QString& id);
   void exportWanted(const QString& id);
+  void reportWanted(const QString& id);
   /// Emitted after the user agreed to delete.
   void deleteWanted(const QString& id);
   void recoverWanted(const QString& id);
@@ -131,6 +132,7 @@ class RecordingPanel : public QWidget {
   QLineEdit* label_;
   QPushButton* open_;
   QPushButton* export_;
+  QPushButton* report_;
   QPushButton* delete_;
   QTimer confirmation_{this};  ///< the last mark is shown while this timer runs
   RecordingStatus status_;

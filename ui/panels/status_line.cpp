@@ -37,6 +37,7 @@ QString wordsFor(haptics::SchedulingPolicy policy) {
 StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
   offerSpoken();
   setObjectName("statusLine");
+  setTextFormat(Qt::PlainText);
   // a label without a name of its own tells each of its texts
   setAccessibleName(tr("Status line"));
   // a long line must not make the window wider than the screen
@@ -66,6 +67,14 @@ void StatusLine::displayLoop(const haptics::Snapshot& snapshot) {
               .arg(snapshot.tick_p99 * 1e6, 0, 'f', 0)
               .arg(snapshot.late_ticks)
               .arg(snapshot.missed_ticks);
+}
+
+void StatusLine::showNear(const std::vector<StructureNear>& near, const NearLimits& limits) {
+  const auto nearest = std::ranges::min_element(near, {}, &StructureNear::distance_mm);
+  near_ = nearest == near.end()
+              ? QString{}
+              : tr("Nearest: %1, %2").arg(nearest->name, nearWords(*nearest, limits));
+  compose();
 }
 
 void StatusLine::setHand(const QString& hand) {
@@ -109,12 +118,13 @@ void ScanLine::paintEvent(QPaintEvent*) {
 
 void StatusLine::compose() {
   QStringList parts;
-  for (const QString& part : {touch_, loop_, hand_, surface_})
+  for (const QString& part : {touch_, near_, loop_, hand_, surface_})
     if (!part.isEmpty()) parts << part;
   const QString line = parts.join(" · ");
   if (line == text()) return;
   setText(line);
-  setToolTip(line);
+  // names of structures are plain text
+  setToolTip(QStringLiteral("<qt>%1</qt>").arg(line.toHtmlEscaped()));
 }
 
 void StatusLine::paintEvent(QPaintEvent* /*event*/) {

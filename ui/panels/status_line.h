@@ -3,9 +3,11 @@
 
 #include <QElapsedTimer>
 #include <QLabel>
+#include <vector>
 
 #include "haptics/snapshot.h"
 #include "ui/controls/spoken.h"
+#include "ui/panels/nearness_lines.h"
 #include "ui/props/volume_prop.h"
 
 namespace ui {
@@ -19,6 +21,8 @@ class StatusLine : public QLabel, public Spoken {
  public:
   explicit StatusLine(QWidget* parent = nullptr);
   void display(const haptics::Snapshot& snapshot);
+  /// The tool is near these structures; none: none is watched. The nearest is told.
+  void showNear(const std::vector<StructureNear>& near, const NearLimits& limits);
   void setHand(const QString& hand);
   void setSurface(const SurfaceChoice& choice);
 
@@ -32,7 +36,7 @@ class StatusLine : public QLabel, public Spoken {
  private:
   void compose();
   void displayLoop(const haptics::Snapshot& snapshot);
-  QString touch_, loop_, hand_, surface_;
+  QString touch_, near_, loop_, hand_, surface_;
   haptics::Snapshot loop_shown_;
   QElapsedTimer since_loop_;
   int loop_ms_ = 0;  ///< until the next change of the servo loop's figures

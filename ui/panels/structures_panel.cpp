@@ -4,16 +4,19 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QColorDialog>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "ui/controls/bindings.h"
@@ -32,6 +35,48 @@ enum StructureColumn {
   StructureOpacity,
   kStructureColumns
 };
+
+/// A way to feel a structure, as the user chooses it.
+struct FeelChoice {
+  StructureFeel::Kind kind;
+  const char* name;
+  const char* tip;
+};
+constexpr FeelChoice kFeels[] = {
+    {StructureFeel::Kind::AsScan, QT_TRANSLATE_NOOP("ui::StructuresPanel", "As the scan has it"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "Nothing changes where the structure is touched")},
+    {StructureFeel::Kind::Softer, QT_TRANSLATE_NOOP("ui::StructuresPanel", "Softer"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel",
+                       "Where the structure is touched, what is felt gives way")},
+    {StructureFeel::Kind::Guarded, QT_TRANSLATE_NOOP("ui::StructuresPanel", "Guarded"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "A force keeps the tool away from the structure")},
+    {StructureFeel::Kind::Solid, QT_TRANSLATE_NOOP("ui::StructuresPanel", "Solid"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "The structure's own surface stops the tool, too")},
+    {StructureFeel::Kind::NotThere, QT_TRANSLATE_NOOP("ui::StructuresPanel", "Not there"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel",
+                       "The tool goes into the structure as into air; what is shown stays")}};
+
+/// A number of a way to feel.
+struct FeelField {
+  StructureFeel::Kind kind;
+  double StructureFeel::*value;
+  const char* object;
+  const char* name;
+  const char* unit;
+  double least, most, step;
+  int decimals;
+};
+constexpr FeelField kFeelFields[] = {
+    {StructureFeel::Kind::Softer, &StructureFeel::stiffness, "structureStiffness",
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "Stiffness"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", " N/m"), kLeastFeelStiffness, kMostFeelStiffness,
+     50.0, 0},
+    {StructureFeel::Kind::Guarded, &StructureFeel::margin_mm, "structureMargin",
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "Within"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", " mm"), kLeastMargin_mm, kMostMargin_mm, 0.5, 1},
+    {StructureFeel::Kind::Guarded, &StructureFeel::most, "structureGuard",
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "At most"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", " N"), kLeastGuard, kMostGuard, 0.5, 1}};
 
 QTableWidgetItem& cellOf(QTableWidget& list, int row, int column) {
   QTableWidgetItem* item = list.item(row, column);
@@ -78,11 +123,13 @@ StructuresPanel::StructuresPanel(QWidget* parent)
       colour_(new QPushButton(tr("Colour…"))),
       opacity_(new NumberBox),
       watch_(new QCheckBox(tr("Tell the distance"))),
+      feel_(new QComboBox),
       near_mm_(new NumberBox),
       close_mm_(new NumberBox),
       through_(new QCheckBox(tr("Through the bone"))),
       filled_(new QCheckBox(tr("Filled in slices"))),
       open_(new QPushButton(tr("Open…"))),
+      found_(new QPushButton(tr("Found with the scan"))),
       close_(new QPushButton(tr("Close"))) {
   search_->setObjectName("structureSearch");
   search_->setAccessibleName(tr("Search the structures"));
@@ -105,6 +152,9 @@ StructuresPanel::StructuresPanel(QWidget* parent)
   close_->setToolTip(tr("Takes the structures from the views; the file stays"));
   connect(open_, &QPushButton::clicked, this, &StructuresPanel::openWanted);
   connect(close_, &QPushButton::clicked, this, &StructuresPanel::closeWanted);
+  found_->setObjectName("foundStructures");
+  found_->setToolTip(tr("Opens DICOM structures that lie with the scan: segmentations, contours"));
+  found_->setMenu(new QMenu(found_));
   auto* files = new QHBoxLayout;
   files->addWidget(open_);
   files->addWidget(close_);
@@ -112,6 +162,8 @@ StructuresPanel::StructuresPanel(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(parts_);
   column->addLayout(files);
+  column->addWidget(found_);
+  showFound({});
   setReady(false);
   show(Structures{});
 }
@@ -175,13 +227,12 @@ QWidget* StructuresPanel::buildChosen() {
   connect(opacity_, &NumberBox::valueChanged, this,
           [this](double percent) { emit opacityChosen(chosen(), percent / 100.0); });
   watch_->setObjectName("watchStructure");
-  watch_->setToolTip(
-      tr("Tells how far the tool is from the structure, beside the force and in recordings"));
   connect(watch_, &QCheckBox::toggled, this, [this](bool on) { emit watchChosen(chosen(), on); });
   auto* part = new QWidget;
   auto* grid = new QGridLayout(part);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->addWidget(watch_, 3, 0, 1, 2);
+  grid->addWidget(buildFeel(), 4, 0, 1, 2);
   grid->addWidget(go_, 0, 0);
   grid->addWidget(alone_, 0, 1);
   grid->addWidget(rename_, 1, 0);
@@ -189,6 +240,63 @@ QWidget* StructuresPanel::buildChosen() {
   grid->addWidget(new QLabel(tr("Opacity")), 2, 0);
   grid->addWidget(opacity_, 2, 1);
   return part;
+}
+
+QWidget* StructuresPanel::buildFeel() {
+  feel_->setObjectName("structureFeel");
+  feel_->setAccessibleName(tr("How the structure is felt"));
+  feel_->setToolTip(tr("What is felt beside the surface of the scan; the distance is told then"));
+  auto* part = new QWidget;
+  auto* grid = new QGridLayout(part);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(new QLabel(tr("Felt")), 0, 0);
+  grid->addWidget(feel_, 0, 1);
+  for (const FeelChoice& choice : kFeels) {
+    feel_->addItem(tr(choice.name), static_cast<int>(choice.kind));
+    feel_->setItemData(feel_->count() - 1, tr(choice.tip), Qt::ToolTipRole);
+  }
+  const auto choose = [this] {
+    const StructureFeel feel = feelNow();
+    showFeel(feel);
+    if (chosen() >= 0) emit feelChosen(chosen(), feel);
+  };
+  connect(feel_, &QComboBox::currentIndexChanged, this, choose);
+  for (const FeelField& field : kFeelFields) {
+    auto* box = new NumberBox;
+    auto* label = new QLabel(tr(field.name));
+    box->setObjectName(field.object);
+    box->setAccessibleName(tr(field.name));
+    box->setRange(field.least, field.most);
+    box->setDecimals(field.decimals);
+    box->setSingleStep(field.step);
+    box->setSuffix(tr(field.unit));
+    box->setKeyboardTracking(false);  // what is typed is felt once it is whole
+    box->setValue(StructureFeel{}.*field.value);
+    connect(box, &NumberBox::valueChanged, this, choose);
+    const int row = grid->rowCount();
+    grid->addWidget(label, row, 0);
+    grid->addWidget(box, row, 1);
+    feel_numbers_.push_back({field.kind, field.value, label, box});
+  }
+  showFeel({});
+  return part;
+}
+
+StructureFeel StructuresPanel::feelNow() const {
+  StructureFeel feel{.kind = static_cast<StructureFeel::Kind>(feel_->currentData().toInt())};
+  for (const FeelNumber& number : feel_numbers_) feel.*number.value = number.box->value();
+  return feel;
+}
+
+void StructuresPanel::showFeel(const StructureFeel& feel) {
+  const QSignalBlocker quiet(feel_);
+  feel_->setCurrentIndex(feel_->findData(static_cast<int>(feel.kind)));
+  for (const FeelNumber& number : feel_numbers_) {
+    const QSignalBlocker quiet_box(number.box);
+    number.box->setValue(feel.*number.value);
+    number.label->setVisible(number.kind == feel.kind);
+    number.box->setVisible(number.kind == feel.kind);
+  }
 }
 
 QWidget* StructuresPanel::buildAll() {
@@ -214,7 +322,7 @@ QWidget* StructuresPanel::buildAll() {
   const auto add = [&](NumberBox& box, const char* name, const QString& words, double mm, int row) {
     box.setObjectName(name);
     box.setAccessibleName(words);
-    box.setRange(0.1, 20.0);
+    box.setRange(kLeastNear_mm, kMostNear_mm);
     box.setDecimals(1);
     box.setSingleStep(0.5);
     box.setSuffix(tr(" mm"));
@@ -248,6 +356,20 @@ bool StructuresPanel::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
+void StructuresPanel::setLimits(const NearLimits& limits) {
+  const QSignalBlocker quiet_near(near_mm_), quiet_close(close_mm_);
+  near_mm_->setValue(limits.near_mm);
+  close_mm_->setValue(limits.close_mm);
+}
+
+void StructuresPanel::showFound(const QStringList& names) {
+  QMenu* menu = found_->menu();
+  menu->clear();
+  for (int n = 0; n < names.size(); ++n)
+    menu->addAction(QString(names[n]).replace('&', "&&"), this, [this, n] { emit foundWanted(n); });
+  found_->setVisible(!names.isEmpty());
+}
+
 void StructuresPanel::setReady(bool ready) { open_->setEnabled(ready); }
 
 void StructuresPanel::show(const Structures& structures) {
@@ -264,6 +386,8 @@ void StructuresPanel::show(const Structures& structures) {
       showLook(*list_, row, structures.looks[number]);
   }
   shown_ = structures;
+  list_->setColumnHidden(StructureDistance,
+                         std::ranges::none_of(shown_.looks, &StructureLook::watched));
   if (others) search_->clear();
   through_->setChecked(structures.through);
   filled_->setChecked(structures.filled);
@@ -298,11 +422,21 @@ int StructuresPanel::chosen() const {
 
 void StructuresPanel::showChosen() {
   const int number = chosen();
-  for (QWidget* control : {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_),
-                           static_cast<QWidget*>(rename_), static_cast<QWidget*>(colour_),
-                           static_cast<QWidget*>(opacity_), static_cast<QWidget*>(watch_)})
+  for (QWidget* control :
+       {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_), static_cast<QWidget*>(rename_),
+        static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_),
+        static_cast<QWidget*>(watch_), static_cast<QWidget*>(feel_)})
     control->setEnabled(number >= 0);
   const QSignalBlocker quiet(opacity_), quiet_watch(watch_);
+  showFeel(number < 0 ? StructureFeel{} : shown_.looks[static_cast<std::size_t>(number)].feel);
+  const std::int64_t bytes =
+      number < 0 ? 0 : shown_.looks[static_cast<std::size_t>(number)].distance_bytes;
+  const QString size = QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
+  watch_->setText(bytes == 0 ? tr("Tell the distance") : tr("Tell the distance: %1").arg(size));
+  watch_->setToolTip(
+      tr("Tells how far the tool is from the structure, beside the force and in recordings. Its "
+         "distances need %1 of memory.")
+          .arg(size));
   watch_->setChecked(number >= 0 && shown_.looks[static_cast<std::size_t>(number)].watched);
   opacity_->setValue(number < 0 ? 100.0
                                 : 100.0 * shown_.looks[static_cast<std::size_t>(number)].opacity);

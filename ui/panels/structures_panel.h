@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <utility>
 #include <vector>
@@ -11,10 +12,11 @@
 #include "ui/props/structures.h"
 
 class QCheckBox;
+class QComboBox;
+class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTableWidget;
-class QToolButton;
 
 namespace ui {
 
@@ -28,14 +30,19 @@ class StructuresPanel : public QWidget {
 
   /// Whether there is a scan whose structures can be opened.
   void setReady(bool ready);
+  /// Files of structures that were found with the scan; without any no button.
+  void showFound(const QStringList& names);
   /// Shows these; without a map none.
   void show(const Structures& structures);
   using QWidget::show;
+  void setLimits(const NearLimits& limits);
   /// Shows the distances of the structures that are watched, by number; the others have none.
   void showNear(const std::vector<std::pair<int, StructureNear>>& near);
 
  signals:
   void openWanted();
+  /// One of those that were found with the scan.
+  void foundWanted(int number);
   void closeWanted();
   /// The user wants to see a structure, in 3-D and in the slices.
   void goToWanted(int number);
@@ -44,6 +51,8 @@ class StructuresPanel : public QWidget {
   void opacityChosen(int number, double opacity);
   /// Whether its distance is to be told while the tool moves.
   void watchChosen(int number, bool watched);
+  /// How it is to be felt.
+  void feelChosen(int number, const StructureFeel& feel);
   /// From which distances on a structure is near, and close.
   void limitsChosen(const NearLimits& limits);
   void renamed(int number, const QString& name);
@@ -60,10 +69,13 @@ class StructuresPanel : public QWidget {
  private:
   void buildList();
   QWidget* buildChosen();
+  QWidget* buildFeel();
   QWidget* buildAll();
   void search();
   int chosen() const;  ///< number; -1: none
   void showChosen();
+  void showFeel(const StructureFeel& feel);
+  StructureFeel feelNow() const;
   void askColour(int number);
 
   Structures shown_;
@@ -76,11 +88,21 @@ class StructuresPanel : public QWidget {
   QPushButton* colour_;
   NumberBox* opacity_;
   QCheckBox* watch_;
+  QComboBox* feel_;
+  /// A number of a way to feel, which has it or not.
+  struct FeelNumber {
+    StructureFeel::Kind kind;
+    double StructureFeel::*value;
+    QLabel* label;
+    NumberBox* box;
+  };
+  std::vector<FeelNumber> feel_numbers_;
   NumberBox* near_mm_;
   NumberBox* close_mm_;
   QCheckBox* through_;
   QCheckBox* filled_;
   QPushButton* open_;
+  QPushButton* found_;
   QPushButton* close_;
 };
 

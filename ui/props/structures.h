@@ -24,13 +24,31 @@ struct StructureMap {
   std::uint8_t codeAt(const Eigen::Vector3d& p_W_mm) const;
 };
 
-/// How a structure is seen. Its name is plain text, for the screen alone.
+/// How a structure is felt, beside the surface of the scan.
+struct StructureFeel {
+  enum class Kind { AsScan, Softer, Guarded, Solid, NotThere };
+  Kind kind = Kind::AsScan;
+  double stiffness = 300.0;  ///< Softer: N/m
+  double margin_mm = 2.0;    ///< Guarded: from where on a force keeps the tool away
+  double most = 2.0;         ///< Guarded: N, at the structure and within
+
+  bool operator==(const StructureFeel&) const = default;
+};
+inline constexpr double kLeastFeelStiffness = 10.0, kMostFeelStiffness = 5000.0;
+inline constexpr double kLeastMargin_mm = 0.5, kMostMargin_mm = 15.0;
+inline constexpr double kLeastGuard = 0.1, kMostGuard = 10.0;
+
+/// How a structure is seen and felt. Its name is plain text, for the screen alone.
 struct StructureLook {
   QString name = {};
   QColor colour = {};
   bool visible = true;
-  double opacity = 1.0;  ///< in 3-D, and of the fill in slices; kLeastStructure to 1
-  bool watched = false;  ///< its distance is told while the tool moves
+  double opacity = 1.0;     ///< in 3-D, and of the fill in slices; kLeastStructure to 1
+  bool watched = false;     ///< its distance is told while the tool moves
+  StructureFeel feel = {};  ///< what is felt otherwise is watched
+  std::int64_t distance_bytes =
+      0;                  ///< of memory, that its distances take; 0: nothing of it is there
+  bool own_name = false;  ///< not one of a file: reports may have it
 
   bool operator==(const StructureLook&) const = default;
 };

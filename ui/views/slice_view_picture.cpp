@@ -157,16 +157,20 @@ void SliceView::draw(QPainter& painter, const QString& note) {
   }
   painter.setClipRect(picture);
   painter.drawImage(picture.topLeft(), image_);
-  if (structures_.map) {
+  const auto lay_structures = [&] {
+    if (!structures_.map) return;
     if (structures_stale_) drawStructures(scale);
     painter.drawImage(picture.topLeft(), structures_image_);
-  }
+  };
+  // an outline that runs along the bone is seen on its contour, a fill below it
+  if (structures_.filled) lay_structures();
   if (contour_shown_ && touched_.value) {
     if (contour_stale_) makeContour();
     if (contour_stale_ || scale != contour_image_.devicePixelRatio()) drawContour(scale);
     contour_stale_ = false;
     painter.drawImage(picture.topLeft(), contour_image_);
   }
+  if (!structures_.filled) lay_structures();
   painter.setRenderHint(QPainter::Antialiasing);
   drawCrossedPlanes(painter);
   drawTool(painter);

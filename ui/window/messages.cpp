@@ -90,6 +90,8 @@ void Messages::showOffer(const QString& sentence, const QString& button,
   offer_->show();
 }
 
+void Messages::hideOffer() { offer_->hide(); }
+
 void Messages::showWork(const QString& sentence, const QString& button, std::function<void()> take,
                         std::function<void()> drop) {
   work_->setSentence(sentence);

@@ -43,6 +43,7 @@ class Messages : public QObject {
   void showDone(const QString& sentence, const QString& folder);
   /// Shows a sentence in a bar of its own, with a button that hides the bar and calls `take`.
   void showOffer(const QString& sentence, const QString& button, std::function<void()> take);
+  void hideOffer();
   /// Shows in a bar of its own that work was kept: one button goes on with it, one drops it; each
   /// hides the bar.
   void showWork(const QString& sentence, const QString& button, std::function<void()> take,

@@ -83,6 +83,10 @@ void TouchState::setHand(const QString& label, Feel feel) {
   detail(label);
 }
 
+void TouchState::showNear(const std::vector<StructureNear>& near, const NearLimits& limits) {
+  status_.showNear(near, limits);
+}
+
 void TouchState::showDetail(const haptics::Snapshot& snapshot) {
   // of the loop that runs: a rate that it has but for a busy moment, else to a tenth
   const double measured = snapshot.servo_rate * 1e-3, whole = std::round(measured);

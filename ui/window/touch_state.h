@@ -5,9 +5,11 @@
 #include <QString>
 #include <QTimer>
 #include <optional>
+#include <vector>
 
 #include "haptics/snapshot.h"
 #include "ui/panels/force_words.h"
+#include "ui/panels/nearness_lines.h"
 
 class QPushButton;
 
@@ -29,6 +31,8 @@ class TouchState : public QObject {
   void display(const haptics::Snapshot& snapshot);
   /// The hand that holds the tool, and what comes of the force.
   void setHand(const QString& label, Feel feel);
+  /// The tool is near these structures; none: none is watched.
+  void showNear(const std::vector<StructureNear>& near, const NearLimits& limits);
   /// Whether there are motors that may push the hand.
   bool hasMotors() const { return feel_ == Feel::Felt; }
   /// Takes the force away. `by`: a sentence on who did.

@@ -78,6 +78,8 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
     loading_.advance(fraction);
   });
   connect(&loader_, &Loader::surveyed, &choice_, &SeriesChoice::take);
+  connect(&loader_, &Loader::surveyed, this, &OpeningController::surveyed);
+  connect(&choice_, &SeriesChoice::structuresWanted, this, &OpeningController::structuresWanted);
   connect(&loader_, &Loader::loaded, this, &OpeningController::take);
   connect(&loader_, &Loader::failed, this, &OpeningController::refuse);
   connect(&choice_, &SeriesChoice::wanted, this,

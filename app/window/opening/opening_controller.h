@@ -46,6 +46,10 @@ class OpeningController : public QObject {
   void setGuard(Guard guard) { guard_ = std::move(guard); }
 
  signals:
+  /// What lies at the path of a request; the scan follows, or is refused.
+  void surveyed(const app::Surveyed& surveyed);
+  /// The user chose structures from the list of series.
+  void structuresWanted(const datasets::StructuresFound& found);
   void recordingWanted(const std::filesystem::path& path);
   void viewWanted(const std::filesystem::path& path);
   void loading();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/window/scan/sentence.h"
+#include "datasets/labels/segments.h"
 #include "ui/dialogs/part_question.h"
 #include "ui/dialogs/series_browser.h"
 
@@ -55,6 +56,16 @@ ui::SeriesRow rowOf(const datasets::SeriesVerdict& series) {
   return row;
 }
 
+ui::SeriesRow rowOf(const datasets::StructuresFound& found, const QString& sentence) {
+  const bool drawn = found.kind == datasets::StructuresFound::Kind::Contours;
+  ui::SeriesRow row;
+  row.series = QString::fromStdString(datasets::shownName(found.name));
+  row.modality = drawn ? QStringLiteral("RTSTRUCT") : QStringLiteral("SEG");
+  row.verdict = ui::Verdict::Structures;
+  row.sentence = sentence;
+  return row;
+}
+
 // what is not known of its voxels is taken to be large
 ui::LargeVolume largeVolumeOf(const datasets::SeriesVerdict& series, double free_bytes) {
   constexpr std::int64_t kGreatestVoxel = 4;  // bytes
@@ -97,6 +108,9 @@ void SeriesChoice::browse() {
   close();
   QList<ui::SeriesRow> rows;
   for (const datasets::SeriesVerdict& series : surveyed_->survey.series) rows << rowOf(series);
+  for (const datasets::StructuresFound& found : surveyed_->survey.structures)
+    rows << rowOf(found, tr("Structures of a scan. Load their scan first; then they are opened in "
+                            "it."));
   const QString place = surveyed_->name.isEmpty()
                             ? QString::fromStdString(surveyed_->place.filename().string())
                             : surveyed_->name;
@@ -116,6 +130,9 @@ void SeriesChoice::close() {
 }
 
 void SeriesChoice::loadChosen(int row) {
+  if (const auto of = static_cast<std::size_t>(row); of >= surveyed_->survey.series.size())
+    return emit structuresWanted(
+        surveyed_->survey.structures[of - surveyed_->survey.series.size()]);
   const datasets::SeriesVerdict& series = surveyed_->survey.series[static_cast<std::size_t>(row)];
   LoadRequest request{.path = surveyed_->path,
                       .name = surveyed_->name,

@@ -35,6 +35,8 @@ class SeriesChoice : public QObject {
 
  signals:
   void wanted(const app::LoadRequest& request);
+  /// Structures of the scan on view, which lie with it.
+  void structuresWanted(const datasets::StructuresFound& found);
 
  private:
   void loadChosen(int row);

@@ -33,6 +33,26 @@ ui::Mapping loadMapping(StoredValues& stored) {
   return mapping;
 }
 
+void loadStructures(StoredValues& stored, Preferences& preferences) {
+  const auto number = [&](const char* key, double& value, haptics::Range range) {
+    value = stored.number(key, range).value_or(value);
+  };
+  ui::StructureFeel& feel = preferences.feel;
+  number("structures/near_mm", preferences.near.near_mm, {ui::kLeastNear_mm, ui::kMostNear_mm});
+  number("structures/close_mm", preferences.near.close_mm, {ui::kLeastNear_mm, ui::kMostNear_mm});
+  number("structures/stiffness", feel.stiffness, {ui::kLeastFeelStiffness, ui::kMostFeelStiffness});
+  number("structures/margin_mm", feel.margin_mm, {ui::kLeastMargin_mm, ui::kMostMargin_mm});
+  number("structures/most", feel.most, {ui::kLeastGuard, ui::kMostGuard});
+}
+
+void saveStructures(QSettings& settings, const Preferences& preferences) {
+  settings.setValue("structures/near_mm", preferences.near.near_mm);
+  settings.setValue("structures/close_mm", preferences.near.close_mm);
+  settings.setValue("structures/stiffness", preferences.feel.stiffness);
+  settings.setValue("structures/margin_mm", preferences.feel.margin_mm);
+  settings.setValue("structures/most", preferences.feel.most);
+}
+
 // which of them can be keys the table of keys knows
 ui::OwnKeys loadKeys() {
   QSettings settings;
@@ -104,6 +124,7 @@ Preferences loadPreferences() {
       stored.number("coupling/stiffness_always", haptics::kStiffnessRange);
   if (const auto hz = stored.whole("servo/rate", 1, 1'000'000); hz && haptics::isServoRate(*hz))
     preferences.servo_rate = hz;
+  loadStructures(stored, preferences);
   if (settings.value("units/lengths").toString() == QLatin1String("cm"))
     preferences.lengths = ui::LengthUnit::Centimetres;
   if (settings.value("mouse/at_first").toString() == QLatin1String("hand"))
@@ -149,6 +170,7 @@ void savePreferences(const Preferences& preferences) {
               preferences.stiffness_always.value_or(0.0));
   setOrRemove(settings, "servo/rate", preferences.servo_rate.has_value(),
               preferences.servo_rate.value_or(0));
+  saveStructures(settings, preferences);
   const bool centimetres = preferences.lengths == ui::LengthUnit::Centimetres;
   settings.setValue("units/lengths", centimetres ? "cm" : "mm");
   const bool hand = preferences.mouse.at_first == ui::MouseMode::Hand;

@@ -10,6 +10,8 @@
 #include "ui/controls/lengths.h"
 #include "ui/controls/mouse_choices.h"
 #include "ui/panels/haptic_device_panel.h"
+#include "ui/panels/nearness_lines.h"
+#include "ui/props/structures.h"
 #include "ui/window/main_window.h"
 
 namespace app {
@@ -28,6 +30,8 @@ struct Preferences {
   double stiffness = 1000.0;                    ///< N/m, as it was last
   std::optional<double> stiffness_always = {};  ///< N/m with which each start begins instead
   std::optional<int> servo_rate = {};           ///< Hz; none: as the device's link carries
+  ui::NearLimits near = {};                     ///< of structures
+  ui::StructureFeel feel = {};                  ///< as the next structure is felt otherwise
   ui::LengthUnit lengths = ui::LengthUnit::Millimetres;
   ui::MouseChoices mouse = {};
   ui::OwnKeys keys = {};     ///< keys that the user changed

@@ -39,6 +39,7 @@ RecordingController::RecordingController(ui::MainWindow& window, SharedState& sh
   connect(panel_, &ui::RecordingPanel::recoverWanted, this, &RecordingController::recover);
   connect(panel_, &ui::RecordingPanel::deleteWanted, this, &RecordingController::deleteRecording);
   connect(panel_, &ui::RecordingPanel::exportWanted, this, &RecordingController::exportWanted);
+  connect(panel_, &ui::RecordingPanel::reportWanted, this, &RecordingController::reportWanted);
   connect(panel_, &ui::RecordingPanel::labelChanged, this,
           [this](const QString& id, const QString& label) {
             if (!recordings_.setLabel(id, label))

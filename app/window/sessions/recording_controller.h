@@ -41,7 +41,9 @@ class RecordingController : public QObject {
   void setFolder(std::filesystem::path folder);
   /// Describes a new scene to the recording, before the session adopts it.
   void describeScene();
-  void note(const char* kind, const QString& text) { recording_.note(kind, text); }
+  void note(const char* kind, const QString& text, std::optional<double> value = {}) {
+    recording_.note(kind, text, value);
+  }
   /// Sets whether a recording may begin.
   void setReady(bool ready);
   /// Lists what is in the folder now, in the background, and then calls `then`.
@@ -57,6 +59,7 @@ class RecordingController : public QObject {
   void started();
   void openWanted(const std::filesystem::path& path);
   void exportWanted(const QString& id);
+  void reportWanted(const QString& id);
   /// The file is about to be deleted; readers must close it.
   void deleting(const std::filesystem::path& path);
 

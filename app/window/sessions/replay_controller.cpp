@@ -32,6 +32,7 @@ haptics::Snapshot snapshotOf(const haptics::Step& step, std::uint32_t scene) {
     snapshot.places[i] = {{float(p_W.x()), float(p_W.y()), float(p_W.z())},
                           float(step.contacts[i].push)};
   }
+  snapshot.near = step.near;
   snapshot.force_state = step.force_state;
   snapshot.late_ticks = step.late_ticks;
   snapshot.missed_ticks = step.missed_ticks;
@@ -87,7 +88,17 @@ void ReplayController::connectBar() {
   connect(&bar, &ui::ReplayBar::closeWanted, this, &ReplayController::close);
 }
 
+void ReplayController::openAt(const std::filesystem::path& path, double time) {
+  if (replay_ && replay_->path() == path) {
+    replay_->play(false);
+    return replay_->seek(time);
+  }
+  open(path);
+  first_ = time;
+}
+
 void ReplayController::open(const std::filesystem::path& path) {
+  first_.reset();
   loading_.begin(tr("Reading the recording"));
   opener_.start([path](const background::Watch& watch) { return Replay::read(path, watch.cancel); },
                 [this, path](haptics::Expected<std::unique_ptr<Replay::Beginning>> read) {
@@ -122,7 +133,7 @@ void ReplayController::begin(std::unique_ptr<Replay> replay) {
     edits_ = digestOf(on_view_);
     shared_.identity.seek(shared_.shown->volume());
   }
-  replay_->seek(replay_->track().begin);
+  replay_->seek(std::exchange(first_, {}).value_or(replay_->track().begin));
 }
 
 void ReplayController::drop() {

@@ -29,6 +29,8 @@ class ReplayController : public QObject {
 
   /// Reads the recording in the background, and shows it then.
   void open(const std::filesystem::path& path);
+  /// Goes to a time of this recording [s], and opens it before if it is not on view.
+  void openAt(const std::filesystem::path& path, double time);
   /// Closes the recording and shows the live scene again.
   void close();
   /// The same if this file is open.
@@ -75,6 +77,7 @@ class ReplayController : public QObject {
   SharedState& shared_;
   background::Task<std::unique_ptr<Replay::Beginning>> opener_;
   std::unique_ptr<Replay> replay_;
+  std::optional<double> first_;         ///< s, where the recording that is being read is shown
   std::optional<std::uint32_t> scene_;  ///< scene of the recording whose tool is on view
   std::optional<double> isovalue_;      ///< isovalue on view
   double shown_to_ = 0.0;               ///< s: end of the plotted force

@@ -90,8 +90,8 @@ void SessionRecording::identify(const std::shared_ptr<const haptics::Volume>& vo
   std::erase_if(scenes_, [&](const auto& scene) { return scanOf(scene->volume) == volume; });
 }
 
-void SessionRecording::note(const char* kind, const QString& text) {
-  if (isRecording()) recorder_->note(kind, text.toStdString());
+void SessionRecording::note(const char* kind, const QString& text, std::optional<double> value) {
+  if (isRecording()) recorder_->note(kind, text.toStdString(), value);
 }
 
 void SessionRecording::refresh() {

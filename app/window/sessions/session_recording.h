@@ -6,6 +6,7 @@
 #include <QString>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/background/task.h"
 #include "app/recording/recorder.h"
@@ -42,7 +43,7 @@ class SessionRecording : public QObject {
   /// Describes a new scene, before the session adopts it. `tool`: its name, empty for a tool from a
   /// file.
   void describe(std::shared_ptr<const haptics::Scene> scene, const std::string& tool);
-  void note(const char* kind, const QString& text);
+  void note(const char* kind, const QString& text, std::optional<double> value = {});
   /// Called at display rate: updates the status, and finishes a stopped recording.
   void refresh();
 

@@ -4,10 +4,12 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <algorithm>
 #include <utility>
 
 #include "app/log/log.h"
+#include "app/recording/felt_words.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
 #include "datasets/labels/distances.h"
@@ -51,16 +53,59 @@ ui::StructureMap seenMapOf(const datasets::LabelMap& map) {
   return seen;
 }
 
+/// As all of the program says it.
+QString sizeWords(double bytes) {
+  return QLocale().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+}
+
+QString nameOf(const datasets::StructuresFound& found) {
+  return QString::fromStdString(datasets::shownName(found.name));
+}
+
+/// As the servo loop takes it. `told`: how far distances are [m].
+haptics::Feel feelOf(const ui::StructureFeel& feel, double told) {
+  using Kind = haptics::Feel::Kind;
+  switch (feel.kind) {
+    case ui::StructureFeel::Kind::Softer:
+      return {.kind = Kind::Softer, .stiffness = feel.stiffness};
+    case ui::StructureFeel::Kind::Guarded:
+      return {.kind = Kind::Guarded,
+              .margin = std::min(feel.margin_mm / ui::kMmPerM, 0.9 * told),
+              .most = feel.most};
+    case ui::StructureFeel::Kind::Solid:
+      return {.kind = Kind::Solid};
+    case ui::StructureFeel::Kind::NotThere:
+      return {.kind = Kind::NotThere};
+    case ui::StructureFeel::Kind::AsScan:
+      break;
+  }
+  return {};
+}
+
+/// Whether two watches are the same to the servo loop; null: nothing is watched.
+bool isSame(const haptics::Watch* one, const haptics::Watch* other) {
+  if (one == nullptr || other == nullptr) return one == other;
+  return std::ranges::equal(one->structures, other->structures,
+                            [](const auto& a, const auto& b) {
+                              return a.structure == b.structure &&
+                                     a.distances.samples == b.distances.samples;
+                            }) &&
+         wordsOf(*one) == wordsOf(*other);
+}
+
 }  // namespace
 
 StructuresController::StructuresController(ui::Views& views, ui::Messages& messages,
                                            ui::Loading& loading, ui::Menus& menus,
-                                           ui::SidePanel& panels, SharedState& shared)
+                                           ui::SidePanel& panels, SharedState& shared,
+                                           PreferencesController& preferences,
+                                           std::function<double()> free_memory)
     : views_(views),
       messages_(messages),
       loading_(loading),
       panels_(panels),
       shared_(shared),
+      free_memory_(std::move(free_memory)),
       panel_(new ui::StructuresPanel),
       reader_([this](double fraction) { loading_.advance(fraction); }) {
   panels.add(panel_, tr("Structures"), tr("Structures"), "structuresSection", ui::Tab::Scan);
@@ -68,12 +113,23 @@ StructuresController::StructuresController(ui::Views& views, ui::Messages& messa
           [this](const QString& path) { open(path.toStdString()); });
   connect(&loading, &ui::Loading::cancelWanted, this, [this] { reader_.cancel(); });
   connect(panel_, &ui::StructuresPanel::openWanted, &menus, &ui::Menus::askForStructures);
+  limits_ = preferences.present().near;
+  feel_ = preferences.present().feel;
+  panel_->setLimits(limits_);
+  connect(&preferences, &PreferencesController::saving, this, [this](Preferences& saved) {
+    saved.near = limits_;
+    saved.feel = feel_;
+  });
   connectPanel();
 }
 
 void StructuresController::connectPanel() {
   using ui::StructureLook;
   using Panel = ui::StructuresPanel;
+  connect(panel_, &Panel::foundWanted, this, [this](int number) {
+    if (number < static_cast<int>(found_.size()))
+      openFound(found_[static_cast<std::size_t>(number)]);
+  });
   connect(panel_, &Panel::closeWanted, this, &StructuresController::close);
   connect(panel_, &Panel::goToWanted, this, &StructuresController::goTo);
   connect(panel_, &Panel::visibleChosen, this, [this](int number, bool visible) {
@@ -86,12 +142,15 @@ void StructuresController::connectPanel() {
     change(number, [&](StructureLook& look) { look.opacity = opacity; });
   });
   connect(panel_, &Panel::watchChosen, this, &StructuresController::watch);
+  connect(panel_, &Panel::feelChosen, this, &StructuresController::feel);
   connect(panel_, &Panel::limitsChosen, this,
           [this](const ui::NearLimits& limits) { limits_ = limits; });
   connect(panel_, &Panel::renamed, this, [this](int number, const QString& name) {
     const std::string shown = datasets::shownName(name.toStdString());
     change(number, [&](StructureLook& look) {
-      if (!shown.empty()) look.name = QString::fromStdString(shown);
+      if (shown.empty() || look.name.toStdString() == shown) return;
+      look.name = QString::fromStdString(shown);
+      look.own_name = true;
     });
   });
   connect(panel_, &Panel::aloneWanted, this, [this](int number) {
@@ -150,26 +209,69 @@ void StructuresController::open(const std::filesystem::path& path) {
   read(path, {.of = shared_.shown->identity});
 }
 
+void StructuresController::openFound(const datasets::StructuresFound& found) {
+  if (!shared_.shown)
+    return messages_.showMessage(
+        tr("There is no scan yet; open the scan of the structures first."));
+  read(found.path, {.of = shared_.shown->identity}, found.place);
+}
+
+void StructuresController::know(const Surveyed& surveyed) {
+  found_at_ = surveyed.place;
+  found_ = surveyed.survey.structures;
+}
+
+/// Says what was found with the scan on view.
+void StructuresController::offerFound() {
+  QStringList names;
+  if (!found_.empty() && shared_.shown->place == found_at_)
+    for (const datasets::StructuresFound& found : found_) names << nameOf(found);
+  panel_->showFound(names);
+  if (std::exchange(offered_, !names.isEmpty())) messages_.hideOffer();
+  if (names.isEmpty()) return;
+  messages_.showOffer(
+      tr("%n file(s) of structures lie with the scan.", nullptr, static_cast<int>(names.size())),
+      names.size() == 1 ? tr("Open structures") : tr("Show the list"), [this, names] {
+        if (names.size() == 1) return openFound(found_.front());
+        panels_.reveal(panel_);
+      });
+}
+
+bool StructuresController::mayTake(double bytes, const QString& what) {
+  const double there = free_memory_();
+  if (bytes <= there) return true;
+  const QString why = tr("%1: %2 of memory are needed and %3 are free; close other programs.")
+                          .arg(what, sizeWords(bytes), sizeWords(there));
+  messages_.showMessage(why);
+  emit refused(why);
+  return false;
+}
+
 void StructuresController::read(const std::filesystem::path& path,
-                                const datasets::LabelReading& reading) {
+                                const datasets::LabelReading& reading,
+                                const std::shared_ptr<const void>& kept) {
   ours_ = false;
   read(
-      [path, reading, scan = scanOf(shared_.shown->volume())](const background::Watch& watch) {
+      [path, reading, kept,
+       scan = scanOf(shared_.shown->volume())](const background::Watch& watch) {
         return datasets::readLabels(
             path, *scan,
             {.advanced = [&](double done) { watch.advanced(done); }, .cancel = &watch.cancel},
             reading);
       },
-      [this, path, reading](const haptics::Error& error) { return ask(path, reading, error); });
+      [this, path, reading, kept](const haptics::Error& error) {
+        return ask(path, reading, kept, error);
+      });
 }
 
 bool StructuresController::ask(const std::filesystem::path& path, datasets::LabelReading reading,
+                               const std::shared_ptr<const void>& kept,
                                const haptics::Error& error) {
   const QString why = sentenceOf(error);
   if (error.reason == "surface-space" && !reading.space) {
     if (const auto left = messages_.askIfLeft(why)) {
       reading.space = *left ? datasets::SurfaceSpace::Lps : datasets::SurfaceSpace::Ras;
-      read(path, reading);
+      read(path, reading, kept);
     }
     return true;
   }
@@ -177,7 +279,7 @@ bool StructuresController::ask(const std::filesystem::path& path, datasets::Labe
   // the file may be of another patient, or placed otherwise: the user knows
   reading.agreed = messages_.askWhether(
       why, tr("Structures of another patient, or of another place, mislead."), tr("Open anyway"));
-  if (reading.agreed) read(path, reading);
+  if (reading.agreed) read(path, reading, kept);
   return true;
 }
 
@@ -185,7 +287,9 @@ void StructuresController::read(
     std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading,
     std::function<bool(const haptics::Error&)> answer) {
   messages_.clear();
-  loading_.begin(tr("Reading the structures"));
+  const auto bytes = static_cast<double>(scanOf(shared_.shown->volume())->grid.voxelCount());
+  if (!mayTake(bytes, tr("Structures"))) return;
+  loading_.begin(tr("Reading the structures, %1 of memory").arg(sizeWords(bytes)));
   reader_.start(
       [reading = std::move(reading)](const background::Watch& watch) -> haptics::Expected<Read> {
         auto map = reading(watch);
@@ -210,6 +314,7 @@ void StructuresController::take(Read read) {
   close();
   labels_ = std::move(read.labels);
   shown_.map = std::move(read.map);
+  const datasets::DistanceOptions options = datasets::distancesOf(haptics::kMostWatched);
   for (std::size_t n = 0; n < read.structures.size(); ++n) {
     const datasets::Structure& structure = read.structures[n];
     const auto& [red, green, blue] = structure.colour;
@@ -219,7 +324,14 @@ void StructuresController::take(Read read) {
                      ? QCoreApplication::translate("app::structureTitle", structure.name.c_str())
                      : QString::fromStdString(structure.name),
          .colour = QColor::fromRgbF(static_cast<float>(red), static_cast<float>(green),
-                                    static_cast<float>(blue))});
+                                    static_cast<float>(blue)),
+         .feel = feel_,
+         .distance_bytes =
+             structure.voxels == 0
+                 ? 0
+                 : datasets::distanceSamples(shown_.map->grid, read.boxes[n], options) *
+                       static_cast<std::int64_t>(sizeof(std::int16_t)),
+         .own_name = ours_});
   }
   log::write(log::Level::Info, "structures-opened", {{"structures", shown_.looks.size()}});
   show();
@@ -262,15 +374,37 @@ void StructuresController::close() {
   giveWatch();
 }
 
-void StructuresController::watch(int number, bool watched) {
+bool StructuresController::mayWatch(int number) {
+  if (number < 0 || number >= static_cast<int>(shown_.looks.size())) return false;
   const auto count = std::ranges::count_if(shown_.looks, &ui::StructureLook::watched);
-  if (watched && count == static_cast<std::ptrdiff_t>(haptics::kMostWatched)) {
-    messages_.showMessage(
-        tr("Distances to %1 structures are told at a time; tell fewer of the others.")
-            .arg(haptics::kMostWatched));
-    watched = false;
-  }
-  change(number, [&](ui::StructureLook& look) { look.watched = watched; });
+  if (shown_.looks[static_cast<std::size_t>(number)].watched ||
+      count < static_cast<std::ptrdiff_t>(haptics::kMostWatched))
+    return true;
+  messages_.showMessage(
+      tr("Distances to %1 structures are told at a time; tell fewer of the others.")
+          .arg(haptics::kMostWatched));
+  return false;
+}
+
+void StructuresController::watch(int number, bool watched) {
+  const bool told = watched && mayWatch(number);
+  change(number, [&](ui::StructureLook& look) {
+    look.watched = told;
+    // nothing else is known of one that is not
+    if (!told) look.feel.kind = ui::StructureFeel::Kind::AsScan;
+  });
+  makeDistances();
+  giveWatch();
+}
+
+void StructuresController::feel(int number, const ui::StructureFeel& feel) {
+  feel_ = feel;
+  feel_.kind = ui::StructureFeel::Kind::AsScan;
+  const bool felt = feel.kind != ui::StructureFeel::Kind::AsScan && mayWatch(number);
+  change(number, [&](ui::StructureLook& look) {
+    look.feel = felt ? feel : feel_;
+    look.watched = look.watched || felt;
+  });
   makeDistances();
   giveWatch();
 }
@@ -285,6 +419,9 @@ void StructuresController::makeDistances() {
   int number = 0;
   while (number < static_cast<int>(shown_.looks.size()) && !isDue(number)) ++number;
   if (number == static_cast<int>(shown_.looks.size())) return;
+  const ui::StructureLook& due = shown_.looks[static_cast<std::size_t>(number)];
+  const auto work = static_cast<double>(due.distance_bytes / 2 * datasets::kDistanceWork);
+  if (!mayTake(work, tr("Distances to \"%1\"").arg(due.name))) return watch(number, false);
   measurer_.start(
       [labels = labels_, number](const background::Watch& watch) {
         background::goLast();  // an edit or another scan comes first
@@ -308,12 +445,25 @@ void StructuresController::makeDistances() {
 void StructuresController::giveWatch() {
   auto watch = std::make_shared<haptics::Watch>();
   for (const auto& [number, map] : distances_)
-    if (shown_.looks[static_cast<std::size_t>(number)].watched)
-      watch->structures.push_back({static_cast<std::uint8_t>(number), map});
+    if (const ui::StructureLook& look = shown_.looks[static_cast<std::size_t>(number)];
+        look.watched)
+      watch->structures.push_back(
+          {static_cast<std::uint8_t>(number), map, feelOf(look.feel, map.told())});
   if (watch->structures.empty()) watch.reset();
-  shared_.session.watch(watch);
-  emit watchGiven(watch);
-  if (!shared_.snapshot.near.empty()) showNear({});
+  if (isSame(watch.get(), watch_.get())) return;
+  const QString felt = watch ? QString::fromStdString(wordsOf(*watch)) : QString{};
+  // a recording has one event for each change of the servo loop in which something is felt
+  const bool told = !felt.isEmpty() || !felt_.isEmpty();
+  felt_ = felt;
+  if (told) emit feltChanged(felt_);
+  watch_ = watch;
+  shared_.session.watch(watch_);
+  emit watchGiven(watch_);
+  showNear({});
+}
+
+void StructuresController::refresh() {
+  if (near_shown_ && !shared_.session.isOpen() && !shared_.replaying) showNear({});
 }
 
 void StructuresController::showNear(const haptics::Snapshot& snapshot) {
@@ -327,6 +477,8 @@ void StructuresController::showNear(const haptics::Snapshot& snapshot) {
                      near.nearest >= float(known->second.told())});
     rows.emplace_back(near.structure, lines.back());
   }
+  if (lines.empty() && !near_shown_) return;
+  near_shown_ = !lines.empty();
   panel_->showNear(rows);
   emit nearChanged(lines, limits_);
 }
@@ -340,6 +492,7 @@ void StructuresController::showScene() {
   sorter_.abandon();
   reader_.abandon();
   close();
+  offerFound();
   const std::string phantom = std::exchange(awaited_, {});
   if (phantom.empty() || !shared_.shown->place.empty()) return;
   ours_ = true;

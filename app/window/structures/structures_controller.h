@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/background/task.h"
+#include "app/window/program/preferences_controller.h"
 #include "app/window/scan/shared_state.h"
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/label_map.h"
@@ -28,6 +29,9 @@
 namespace ui {
 class StructuresPanel;
 }
+namespace haptics {
+struct Watch;
+}
 
 namespace app {
 
@@ -40,11 +44,16 @@ class StructuresController : public QObject {
   Q_OBJECT
  public:
   StructuresController(ui::Views& views, ui::Messages& messages, ui::Loading& loading,
-                       ui::Menus& menus, ui::SidePanel& panels, SharedState& shared);
+                       ui::Menus& menus, ui::SidePanel& panels, SharedState& shared,
+                       PreferencesController& preferences, std::function<double()> free_memory);
 
   /// Reads the structures of the scan on view, in the background. What was there before stays until
   /// they are known, and if the file is refused.
   void open(const std::filesystem::path& path);
+  /// What lies at the place of the scan that is opened next, or is on view.
+  void know(const Surveyed& surveyed);
+  /// The same as open(), of an entry of a survey.
+  void openFound(const datasets::StructuresFound& found);
   /// Opens the structures of this phantom once it is on view: the next scene.
   void awaitPhantom(std::string phantom) { awaited_ = std::move(phantom); }
   /// What was dropped on the window: structures of the scan on view are opened; for all else,
@@ -52,9 +61,18 @@ class StructuresController : public QObject {
   void sort(const QStringList& paths);
   /// Call it when a scene is on view.
   void showScene();
+  /// Call it at display rate: nothing is near once no hand holds the tool.
+  void refresh();
   /// Call it when `shared.snapshot` is due in words.
   void showNear(const haptics::Snapshot& snapshot);
   const ui::Structures& shown() const { return shown_; }
+  /// The structures on view; null: none.
+  const std::shared_ptr<const datasets::LabelMap>& labels() const { return labels_; }
+  /// Distances that are known, by number.
+  const std::map<int, haptics::DistanceMap>& distances() const { return distances_; }
+  const ui::NearLimits& limits() const { return limits_; }
+  /// How structures are felt now, as a recording stores it; empty: as the scan has them.
+  const QString& felt() const { return felt_; }
 
  signals:
   /// What the session watches now, and how it is felt; null: nothing.
@@ -64,6 +82,8 @@ class StructuresController : public QObject {
   void opened();
   /// How near the tool is to the structures that are watched; none: none is.
   void nearChanged(const std::vector<ui::StructureNear>& near, const ui::NearLimits& limits);
+  /// felt() is other from the next tick on.
+  void feltChanged(const QString& felt);
   /// A file was refused, and why, for the user.
   void refused(const QString& sentence);
 
@@ -80,16 +100,24 @@ class StructuresController : public QObject {
   /// Reads structures by `reading`, in the background. `answer`: whether an error was asked about.
   void read(std::function<haptics::Expected<datasets::LabelMap>(const background::Watch&)> reading,
             std::function<bool(const haptics::Error&)> answer = {});
-  void read(const std::filesystem::path& path, const datasets::LabelReading& reading);
+  /// `kept`: lives until the file was read.
+  void read(const std::filesystem::path& path, const datasets::LabelReading& reading,
+            const std::shared_ptr<const void>& kept = {});
   /// Asks for what the file does not say, or says otherwise than the scan, and reads it again.
   /// False: the error is none of these.
   bool ask(const std::filesystem::path& path, datasets::LabelReading reading,
-           const haptics::Error& error);
+           const std::shared_ptr<const void>& kept, const haptics::Error& error);
+  /// Refuses, in words for the user, what takes more memory than is free.
+  bool mayTake(double bytes, const QString& what);
+  void offerFound();
   void take(Read read);
   void close();
   void makeShapes(std::vector<haptics::VoxelBox> boxes);
   void goTo(int number);
   void watch(int number, bool watched);
+  void feel(int number, const ui::StructureFeel& feel);
+  /// Whether one more may be watched; says so if not.
+  bool mayWatch(int number);
   /// Makes the distances of the next structure that is watched and has none yet.
   void makeDistances();
   /// Gives the session what is watched and known.
@@ -104,10 +132,14 @@ class StructuresController : public QObject {
   ui::Loading& loading_;
   ui::SidePanel& panels_;
   SharedState& shared_;
+  std::function<double()> free_memory_;
   ui::StructuresPanel* panel_;
   std::weak_ptr<const haptics::Volume> scan_;  ///< on view
-  std::string awaited_;                        ///< phantom whose structures are wanted; empty: none
-  bool ours_ = false;                          ///< what is read is a phantom's, whose names we know
+  bool offered_ = false;                       ///< what was found with the scan on view
+  std::filesystem::path found_at_;
+  std::vector<datasets::StructuresFound> found_;
+  std::string awaited_;  ///< phantom whose structures are wanted; empty: none
+  bool ours_ = false;    ///< what is read is a phantom's, whose names we know
   ui::Structures shown_;
   std::vector<std::vector<Eigen::Vector3d>>
       places_mm_;  ///< of each structure; empty: not yet known
@@ -116,7 +148,11 @@ class StructuresController : public QObject {
   std::shared_ptr<const datasets::LabelMap> labels_;  ///< null: none
   std::map<int, haptics::DistanceMap> distances_;     ///< of structures that were watched
   background::Task<haptics::DistanceMap> measurer_;   ///< of distances
+  std::shared_ptr<const haptics::Watch> watch_;       ///< the session's; null: nothing is watched
+  QString felt_;
+  bool near_shown_ = false;
   ui::NearLimits limits_;
+  ui::StructureFeel feel_;  ///< with the numbers that were chosen last
   background::Task<ui::OpenedAs> sorter_;
 };
 

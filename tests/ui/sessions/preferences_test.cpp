@@ -30,6 +30,27 @@ TEST(Preferences, RememberHowAHandIsTakenToTheScan) {
   EXPECT_EQ(app::loadPreferences().mapping, ui::Mapping{});
 }
 
+TEST(Preferences, RememberTheNumbersOfStructuresAndNotThatOneIsFelt) {
+  QSettings().remove("structures");
+  EXPECT_EQ(app::loadPreferences().near, ui::NearLimits{});
+  EXPECT_EQ(app::loadPreferences().feel, ui::StructureFeel{});
+  app::Preferences preferences = app::loadPreferences();
+  preferences.near = {.near_mm = 7.5, .close_mm = 1.5};
+  preferences.feel = {.kind = ui::StructureFeel::Kind::Guarded,
+                      .stiffness = 150.0,
+                      .margin_mm = 4.5,
+                      .most = 1.25};
+  app::savePreferences(preferences);
+  EXPECT_EQ(app::loadPreferences().near, preferences.near);
+  ui::StructureFeel kept = preferences.feel;
+  kept.kind = ui::StructureFeel::Kind::AsScan;
+  EXPECT_EQ(app::loadPreferences().feel, kept);
+  QSettings().setValue("structures/margin_mm", "0");
+  EXPECT_EQ(app::loadPreferences().feel.margin_mm, ui::StructureFeel{}.margin_mm);
+  EXPECT_EQ(app::loadPreferences().unread, QStringList{"structures/margin_mm"});
+  QSettings().remove("structures");
+}
+
 TEST(Preferences, AValueThatCannotBeReadWholeIsAsAtFirstAndTold) {
   const double first = app::Preferences{}.stiffness;
   for (const QVariant& wrong :

@@ -170,6 +170,26 @@ TEST(Distances, OfALargeStructureAreCoarserAndLoseNothingThin) {
   EXPECT_LT(map.at(centre), 0.1e-3);
 }
 
+TEST(Distances, AreAsManyAsWasSaidBefore) {
+  const Grid grid = unevenGrid();
+  const LabelMap labels =
+      marked(grid, [&](const Vec3& p) { return (p - centreOf(grid)).norm() - 0.004; });
+  haptics::VoxelBox box{grid.dims, {}};
+  for (std::int64_t n = 0; n < grid.voxelCount(); ++n)
+    if (labels.codes()[n] != 0)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::array<std::int64_t, 3> at{n % grid.dims[0], n / grid.dims[0] % grid.dims[1],
+                                             n / grid.dims[0] / grid.dims[1]};
+        box.first[axis] = std::min(box.first[axis], at[axis]);
+        box.end[axis] = std::max(box.end[axis], at[axis] + 1);
+      }
+  for (const std::size_t bytes : {std::size_t{100'000'000}, std::size_t{300'000}}) {
+    const DistanceOptions options{.most = 0.006, .most_bytes = bytes};
+    EXPECT_EQ(distanceSamples(grid, box, options),
+              distancesTo(labels, 0, options).value().grid.voxelCount());
+  }
+}
+
 TEST(Distances, EndWhenTheyAreCancelled) {
   const Grid grid = unevenGrid();
   const LabelMap labels =
