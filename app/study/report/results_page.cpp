@@ -74,7 +74,8 @@ std::string verdictOf(const std::vector<Case>& cases) {
   const auto all = std::to_string(cases.size());
   if (cases.empty()) return "No case has been run.";
   if (held == std::ssize(cases)) return "All " + all + " cases hold.";
-  return std::to_string(held) + " of " + all + " cases hold. These do not:";
+  return std::to_string(held) + " of " + all +
+         " cases hold. Below the diagrams are those that do not.";
 }
 
 /// The text with each `mark` replaced.
