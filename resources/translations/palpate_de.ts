@@ -1807,6 +1807,14 @@
         <source>Structure %1 was felt in this recording; give the label map, with --labels, and watch it.</source>
         <translation>Struktur %1 wurde in dieser Aufzeichnung gespürt; geben Sie die Label-Karte mit --labels an, und beobachten Sie sie.</translation>
     </message>
+    <message>
+        <source>The structures that were solid or not there in the recording come out otherwise here: the label map or this version of Palpate is another; replay with those of the recording.</source>
+        <translation>Die Strukturen, die in der Aufzeichnung fest oder nicht da waren, kommen hier anders heraus: Die Label-Karte oder diese Version von Palpate ist eine andere; geben Sie sie mit denen der Aufzeichnung wieder.</translation>
+    </message>
+    <message>
+        <source>There is too little memory to feel a structure as solid or not there; close other programs.</source>
+        <translation>Der Speicher reicht nicht, um eine Struktur als fest oder nicht da zu spüren; schließen Sie andere Programme.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
