@@ -1809,11 +1809,11 @@
     </message>
     <message>
         <source>The structures that were solid or not there in the recording come out otherwise here: the label map or this version of Palpate is another; replay with those of the recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Strukturen, die in der Aufzeichnung fest oder nicht da waren, kommen hier anders heraus: Die Label-Karte oder diese Version von Palpate ist eine andere; geben Sie sie mit denen der Aufzeichnung wieder.</translation>
     </message>
     <message>
         <source>There is too little memory to feel a structure as solid or not there; close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht nicht, um eine Struktur als fest oder nicht da zu spüren; schließen Sie andere Programme.</translation>
     </message>
 </context>
 <context>

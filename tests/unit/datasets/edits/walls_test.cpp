@@ -446,7 +446,11 @@ TEST(Walls, HaveTheBoundsOfANewPyramid) {
 
 /// A solid structure beside the isosurface of noise, of plates and of grain, and one that is not
 /// there.
-study::arcs::Target mixedTarget(int kind, Random& random) {
+struct MixedTarget {
+  study::arcs::Target target;
+  std::shared_ptr<const Scene> scene;  ///< with bounds renewed from those of the scan
+};
+MixedTarget mixedTarget(int kind, Random& random) {
   using study::arcs::h;
   const Grid grid = centredGrid(40, h);
   const Vec3 slant = random.direction();
@@ -469,7 +473,10 @@ study::arcs::Target mixedTarget(int kind, Random& random) {
         },
         n != 3, std::uint8_t(n)));
   }
-  return {"mixed", *walledBy(scan, walls), {kIsovalue, 250.0, 450.0}, 17.0 * h, 600};
+  const auto made = walledBy(scan, walls);
+  const auto before = makeScene(scan, made::point()).value();
+  return {{"mixed", *made, {kIsovalue, 250.0, 450.0}, 17.0 * h, 600},
+          makeScene(made, made::point(), {}, before.get()).value()};
 }
 
 TEST(Walls, AreMissedByNoArc) {
@@ -479,8 +486,12 @@ TEST(Walls, AreMissedByNoArc) {
   study::arcs::Tally tally;
   const long each = made::trials(int(all)) / 12;
   for (int n = 0; n < 12; ++n) {
-    const study::arcs::Target target = mixedTarget(n % 3, random);
-    tally += study::arcs::shootPoints(target, each, random);
+    const auto [target, scene] = mixedTarget(n % 3, random);
+    tally += study::arcs::shootPoints(
+        target, each, random,
+        [&field = scene->field](const auto&, double s, const study::arcs::Arc& arc) {
+          return study::arcs::crossed({field, s}, arc, Tolerances{study::arcs::h});
+        });
     if (n < 3) tally += study::arcs::shootShells(target, each / 8, random);
   }
   std::cout << tally.arcs << " arcs, " << tally.met << " met, latest " << tally.latest << " voxel, "
