@@ -92,6 +92,13 @@ TEST_F(StructuresTouch, TheNearestIsToldInTheCardTheListAndTheStatusLine) {
   EXPECT_TRUE(status().contains(" mm")) << status().toStdString();
   EXPECT_TRUE(waitFor([&] { return list().item(0, 3)->text() == said + " mm"; }))
       << list().item(0, 3)->text().toStdString() << " " << said.toStdString();
+  // beside the force, in whatever form the card has
+  const auto& card = part<QWidget>("forceCard");
+  auto& large = part<QLabel>("nearness0");
+  EXPECT_TRUE(waitFor([&] {
+    return large.isVisible() && large.text() == said + " mm" &&
+           card.rect().contains(QRect(large.mapTo(&card, QPoint{}), large.size()));
+  })) << large.text().toStdString();
   window::keep(window::pictureOf(window()), "structures_near");
   // closer than the limits, it says so in words
   part<ui::NumberBox>("nearFrom").setValue(20.0);
