@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTest>
+#include <QTextBrowser>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -339,17 +340,20 @@ TEST_F(StructuresTouch, ASessionIsReportedAndItsMomentsAreShown) {
     EXPECT_TRUE(file.open(QFile::ReadOnly));
     return file.readAll();
   };
-  QDesktopServices::setUrlHandler("file", &reporting, "finished");  // no browser in a test
+  QTextBrowser browser;
+  QDesktopServices::setUrlHandler("file", &browser, "setSource");
   const auto json = nlohmann::json::parse(report("report.json").toStdString());
   EXPECT_EQ(pages.count(), 0);
   const QByteArray page = report("report.html");
   EXPECT_EQ(pages.count(), 1);
+  EXPECT_EQ(browser.source(), QUrl::fromLocalFile(path("report.html")));
   QDesktopServices::unsetUrlHandler("file");
   // the user's own name, and none of a file
   EXPECT_TRUE(page.contains("my nerve"));
   EXPECT_FALSE(page.contains("Canal") || page.contains("Doe"));
   window::keep(window::pictureOf(window()), "structures_reported");
-  (void)json;
+  // what the recording itself says
+  EXPECT_EQ(json["structures"].size(), 2U);
 
   auto* moments = window().findChild<ui::ReportMoments*>();
   ASSERT_NE(moments, nullptr);
