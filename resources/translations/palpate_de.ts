@@ -2782,13 +2782,6 @@
         <source>Open anyway</source>
         <translation>Trotzdem öffnen</translation>
     </message>
-    <message numerus="yes">
-        <source>%n file(s) of structures lie with the scan.</source>
-        <translation>
-            <numerusform>Bei der Aufnahme liegt %n Datei mit Strukturen.</numerusform>
-            <numerusform>Bei der Aufnahme liegen %n Dateien mit Strukturen.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Open structures</source>
         <translation>Strukturen öffnen</translation>
@@ -2808,6 +2801,17 @@
     <message>
         <source>Distances to &quot;%1&quot;</source>
         <translation>Abstände zu „%1“</translation>
+    </message>
+    <message>
+        <source>Structures lie with the scan: &quot;%1&quot;.</source>
+        <translation>Bei der Aufnahme liegen Strukturen: „%1“.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files of structures lie with the scan.</source>
+        <translation>
+            <numerusform>Bei der Aufnahme liegt %n Datei mit Strukturen.</numerusform>
+            <numerusform>Bei der Aufnahme liegen %n Dateien mit Strukturen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

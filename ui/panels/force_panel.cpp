@@ -161,10 +161,12 @@ void ForcePanel::setFolded(bool folded) {
 int ForcePanel::heightIf(bool folded) const {
   const QMargins inside = layout()->contentsMargins();
   int height = inside.top() + inside.bottom();
-  if (folded && !compact_) return height + kFold;
+  // distances are told in one line, too
+  const int near = watches_ ? layout()->spacing() + near_->sizeHint().height() : 0;
+  if (folded && !compact_) return height + std::max(kFold, line_->sizeHint().height()) + near;
   height += force_->sizeHint().height();
   if (compact_) return height;
-  if (watches_) height += layout()->spacing() + near_->sizeHint().height();
+  height += near;
   for (const QWidget* part : std::initializer_list<QWidget*>{plot_, touch_, with_})
     height += layout()->spacing() + std::max(part->sizeHint().height(), part->minimumHeight());
   return height;
@@ -174,7 +176,7 @@ void ForcePanel::showParts() {
   const bool whole = !compact_ && !folded_;
   for (QWidget* part : std::initializer_list<QWidget*>{plot_, torque_, touch_, with_})
     part->setVisible(whole);
-  near_->setVisible(whole && watches_);
+  near_->setVisible(!compact_ && watches_);
   for (QWidget* part : {force_, unit_}) part->setVisible(compact_ || !folded_);
   line_->setVisible(!compact_ && folded_);
   fold_->setVisible(!compact_);

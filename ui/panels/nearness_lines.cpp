@@ -97,7 +97,6 @@ void NearnessLines::show(std::vector<StructureNear> near, const NearLimits& limi
     setColour(*line.sign, how.colour);
     setColour(*line.distance, how.colour);
   }
-  setVisible(!near.empty());
 }
 
 }  // namespace ui

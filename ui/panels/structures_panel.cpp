@@ -382,7 +382,9 @@ void StructuresPanel::show(const Structures& structures) {
   }
   for (int row = 0; row < list_->rowCount(); ++row) {
     const auto number = static_cast<std::size_t>(row);
-    if (others || structures.looks[number] != shown_.looks[number])
+    // a name that was refused gives way to the one before
+    if (others || structures.looks[number] != shown_.looks[number] ||
+        cellOf(*list_, row, StructureName).text() != structures.looks[number].name)
       showLook(*list_, row, structures.looks[number]);
   }
   shown_ = structures;

@@ -4,8 +4,10 @@
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkReverseSense.h>
+#include <vtkSmartPointer.h>
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <algorithm>
@@ -24,6 +26,7 @@ constexpr int kPlaces = 12;
 constexpr double kWholeLevel = 127.5, kAverageLevel = 76.0;
 constexpr int kSmoothings = 20;
 constexpr double kPassBand = 0.08;
+constexpr double kMostMoved = 0.3;
 
 using VoxelIndex = std::array<std::int64_t, 3>;
 
@@ -42,6 +45,23 @@ void eachVoxel(const StructureMap& map, const haptics::VoxelBox& box,
 
 Eigen::Vector3d placeOf(const haptics::Grid& grid, const VoxelIndex& at) {
   return grid.worldOf({double(at[0]), double(at[1]), double(at[2])}) * kMmPerM;
+}
+
+/// The points of a smoothed surface, no farther from where they were than kMostMoved of a block:
+/// what is one voxel thin would be smoothed to a line.
+vtkSmartPointer<vtkPoints> held(vtkPolyData& smoothed, vtkPolyData& before,
+                                const Eigen::Vector3d& block_mm) {
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  points->DeepCopy(smoothed.GetPoints());
+  for (vtkIdType n = 0; n < points->GetNumberOfPoints(); ++n) {
+    const Eigen::Vector3d from(before.GetPoint(n));
+    const Eigen::Vector3d by = Eigen::Vector3d(points->GetPoint(n)) - from;
+    const double blocks = by.cwiseQuotient(block_mm).norm();
+    if (blocks <= kMostMoved) continue;
+    const Eigen::Vector3d to = from + by * (kMostMoved / blocks);
+    points->SetPoint(n, to.data());
+  }
+  return points;
 }
 
 }  // namespace
@@ -143,8 +163,12 @@ StructureShape shapeOf(const StructureMap& map, std::uint8_t number, const hapti
   smooth->FeatureEdgeSmoothingOff();
   smooth->NonManifoldSmoothingOn();
   smooth->NormalizeCoordinatesOn();
+  smooth->Update();
+  const auto rounded = vtkSmartPointer<vtkPolyData>::New();
+  rounded->ShallowCopy(smooth->GetOutput());
+  rounded->SetPoints(held(*smooth->GetOutput(), *edges->GetOutput(), block_mm));
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputConnection(smooth->GetOutputPort());
+  normals->SetInputData(rounded);
   normals->SplittingOff();
   normals->ConsistencyOff();
   vtkAlgorithm* last = normals;

@@ -230,7 +230,9 @@ void StructuresController::offerFound() {
   if (std::exchange(offered_, !names.isEmpty())) messages_.hideOffer();
   if (names.isEmpty()) return;
   messages_.showOffer(
-      tr("%n file(s) of structures lie with the scan.", nullptr, static_cast<int>(names.size())),
+      names.size() == 1 ? tr("Structures lie with the scan: \"%1\".").arg(names.front())
+                        : tr("%n files of structures lie with the scan.", nullptr,
+                             static_cast<int>(names.size())),
       names.size() == 1 ? tr("Open structures") : tr("Show the list"), [this, names] {
         if (names.size() == 1) return openFound(found_.front());
         panels_.reveal(panel_);

@@ -476,8 +476,8 @@ TEST(RecordingPanel, StandsInItsTabAndNothingIsCutOff) {
   window::keep(window::pictureOf(w.window), "recording_window");
   EXPECT_EQ(w.window.size(), QSize(1280, 900));
   expectLegible(w.panel);
-  for (const char* name :
-       {"record", "mark", "openRecording", "exportRecording", "deleteRecording"}) {
+  for (const char* name : {"record", "mark", "openRecording", "exportRecording", "reportRecording",
+                           "deleteRecording"}) {
     auto* button = w.panel.findChild<QPushButton*>(name);
     EXPECT_GE(button->width(), button->minimumSizeHint().width()) << name;
     EXPECT_EQ(button->visibleRegion().boundingRect().size(), button->size()) << name;

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QTest>
+#include <QTextBrowser>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -28,7 +29,6 @@
 #include "ui/dialogs/series_browser.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
-#include "ui/window/replay_bar.h"
 
 namespace {
 
@@ -93,6 +93,13 @@ TEST_F(StructuresTouch, TheNearestIsToldInTheCardTheListAndTheStatusLine) {
   EXPECT_TRUE(status().contains(" mm")) << status().toStdString();
   EXPECT_TRUE(waitFor([&] { return list().item(0, 3)->text() == said + " mm"; }))
       << list().item(0, 3)->text().toStdString() << " " << said.toStdString();
+  // beside the force, in whatever form the card has
+  const auto& card = part<QWidget>("forceCard");
+  auto& large = part<QLabel>("nearness0");
+  EXPECT_TRUE(waitFor([&] {
+    return large.isVisible() && large.text() == said + " mm" &&
+           card.rect().contains(QRect(large.mapTo(&card, QPoint{}), large.size()));
+  })) << large.text().toStdString();
   window::keep(window::pictureOf(window()), "structures_near");
   // closer than the limits, it says so in words
   part<ui::NumberBox>("nearFrom").setValue(20.0);
@@ -294,7 +301,8 @@ TEST_F(StructuresTouch, OfAStudyAreOfferedWithTheScanAndInTheList) {
 
   // another scan has none
   emit window().menus().phantomWanted("sphere");
-  ASSERT_TRUE(waitFor([&] { return window().windowTitle().startsWith("Sphere"); }));
+  ASSERT_TRUE(
+      waitFor([&] { return window().windowTitle().startsWith("sphere", Qt::CaseInsensitive); }));
   EXPECT_TRUE(found.isHidden());
 }
 
@@ -332,17 +340,20 @@ TEST_F(StructuresTouch, ASessionIsReportedAndItsMomentsAreShown) {
     EXPECT_TRUE(file.open(QFile::ReadOnly));
     return file.readAll();
   };
-  QDesktopServices::setUrlHandler("file", &reporting, "finished");  // no browser in a test
+  QTextBrowser browser;
+  QDesktopServices::setUrlHandler("file", &browser, "setSource");
   const auto json = nlohmann::json::parse(report("report.json").toStdString());
   EXPECT_EQ(pages.count(), 0);
   const QByteArray page = report("report.html");
   EXPECT_EQ(pages.count(), 1);
+  EXPECT_EQ(browser.source(), QUrl::fromLocalFile(path("report.html")));
   QDesktopServices::unsetUrlHandler("file");
   // the user's own name, and none of a file
   EXPECT_TRUE(page.contains("my nerve"));
   EXPECT_FALSE(page.contains("Canal") || page.contains("Doe"));
   window::keep(window::pictureOf(window()), "structures_reported");
-  (void)json;
+  // what the recording itself says
+  EXPECT_EQ(json["structures"].size(), 2U);
 
   auto* moments = window().findChild<ui::ReportMoments*>();
   ASSERT_NE(moments, nullptr);

@@ -78,8 +78,12 @@ void write(const QString& path, const haptics::Grid& grid, const char* type,
   file.write(text.data(), static_cast<qint64>(text.size()));
 }
 
+/// A block, and plates above and below it: the picture has room for what lies beside the block.
 inline int boneAt(const Eigen::Vector3d& p) {
-  return std::abs(p.x()) < 12.0 && std::abs(p.y()) < 10.0 && std::abs(p.z()) < 13.0 ? 1200 : -1000;
+  const bool block = std::abs(p.x()) < 12.0 && std::abs(p.y()) < 10.0 && std::abs(p.z()) < 13.0;
+  const bool plate = std::abs(p.x()) < 26.0 && std::abs(p.y()) < 20.0 && std::abs(p.z()) > 16.5 &&
+                     std::abs(p.z()) < 18.5;
+  return block || plate ? 1200 : -1000;
 }
 inline int labelAt(const Eigen::Vector3d& p) {
   if ((p - kNerve).norm() < 4.0) return 7;
@@ -99,7 +103,7 @@ class StructuresWindow : public testing::Test {
     write<std::uint8_t>(path("a.seg.nrrd"), gridOf({80, 120, 100}, 0.5e-3, turned), "uchar",
                         std::string("Segment0_ID:=a\nSegment0_Name:=") + kSecret +
                             "\nSegment0_Color:=1 0 1\nSegment0_LabelValue:=7\n"
-                            "Segment1_ID:=b\nSegment1_Name:=Canal <b>x</b>\nSegment1_Color:=0 1 1\n"
+                            "Segment1_ID:=b\nSegment1_Name:=Canal <b>x</b>\nSegment1_Color:=0 1 0\n"
                             "Segment1_LabelValue:=2\n",
                         labelAt);
   }
