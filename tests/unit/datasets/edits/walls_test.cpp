@@ -373,6 +373,13 @@ TEST(Walls, AreMadeAgainToTheBitOverEditsToo) {
       EXPECT_FALSE(hasSameVoxels(*one, *other));
       EXPECT_EQ(walledOf(*one)->digest_of_walls, walledOf(*again)->digest_of_walls);
       EXPECT_NE(walledOf(*one)->digest_of_walls, walledOf(*other)->digest_of_walls);
+      // beyond the walls it is the edited scan
+      eachVoxel(mixed.grid, [&](auto i, auto j, auto l) {
+        if (std::min(mixed.distance(mixed.gone, i, j, l), mixed.distance(mixed.solid, i, j, l)) >
+            WallProfile::kReach) {
+          ASSERT_EQ(valueAt(*again, i, j, l), valueAt(*seen, i, j, l));
+        }
+      });
       EXPECT_EQ(seenOf(again), seen);
       EXPECT_EQ(again->crop, seen->crop);
       EXPECT_EQ(walledOf(*again)->edits.size(), count);
