@@ -20,6 +20,7 @@ constexpr double kLegendLine = 32.0;               // of a series' look, before 
 constexpr double kLetter = 7.2;                    // wide, a little more than most are in this size
 constexpr double kSmall = 5.2, kSmallHigh = 10.0;  // a letter of a setting
 constexpr std::size_t kMostSettings = 80;          // that are written into one plot
+constexpr std::size_t kMarksOfMany = 16;           // about so many, of a line of many points
 
 /// A power of ten as it is written: 10⁻³, but 0.1, 1, 10 and 100 as they are.
 std::string powerOfTen(int exponent) {
@@ -313,15 +314,20 @@ std::string svgOf(const Plot& plot, const std::string& id) {
     std::string line;
     for (const PlotPoint& p : series.points)
       if (series.joined && p.in_line && drawn(p))
-        line += text("%s%.2f %.2f", line.empty() ? "M" : "L", x.at(p.x), y.at(p.y));
+        line += text("%s%.1f %.1f", line.empty() ? "M" : "L", x.at(p.x), y.at(p.y));
     if (!line.empty()) svg += "<path class='line' d='" + line + "'/>\n";
     std::set<std::pair<long, long>> places;  // of marks, to a unit of the viewBox
+    const auto points = std::size_t(std::ranges::count_if(series.points, drawn));
+    const std::size_t apart = points > kMostMarks ? points / kMarksOfMany + 1 : 1;
+    std::size_t number = 0;
     for (const PlotPoint& p : series.points) {
       if (!drawn(p)) continue;
       const double at_x = x.at(p.x), at_y = y.at(p.y);
       if (std::isfinite(p.low) && std::isfinite(p.high))
-        svg += text("<path class='spread' d='M%.2f %.2fV%.2f'/>", at_x, y.at(p.low), y.at(p.high));
-      if (!series.marked || !places.emplace(std::lround(at_x), std::lround(at_y)).second) continue;
+        svg += text("<path class='spread' d='M%.1f %.1fV%.1f'/>", at_x, y.at(p.low), y.at(p.high));
+      // a line of many points has a mark at some of them
+      const bool is_marked = series.marked && (!series.joined || number++ % apart == 0);
+      if (!is_marked || !places.emplace(std::lround(at_x), std::lround(at_y)).second) continue;
       if (p.setting.empty()) {
         svg += mark(look, at_x, at_y) + "\n";
         continue;

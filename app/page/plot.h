@@ -48,12 +48,15 @@ bool isZero(const Plot& plot);
 
 /// How many series of one plot can be told apart: by colour, mark and dashes, each alone enough.
 inline constexpr int kMostSeries = 8;
+/// A line of more points than this has a mark at every so many of them.
+inline constexpr std::size_t kMostMarks = 40;
 
 /// The plot as an <svg> element for a page whose style sheet is that of `Page`; `id` is unique in
 /// the page. On a logarithmic axis what is zero or less stands in a lane of its own at the lower
-/// end, marked 0. Values that are not finite are not drawn, nor a second mark on one place.
-/// Settings stand beside their marks where there is room, and are the marks' titles. Series beyond
-/// kMostSeries repeat the first marks.
+/// end, marked 0. Values that are not finite are not drawn, nor a second mark on one place; a line
+/// of more than kMostMarks points has marks at some of them. Settings stand beside their marks
+/// where there is room, and are the marks' titles. Series beyond kMostSeries repeat the first
+/// marks.
 std::string svgOf(const Plot& plot, const std::string& id);
 
 /// Text that may stand in HTML or an attribute.

@@ -177,7 +177,7 @@ std::string pageOf(const std::string& label) { return "scans/" + label + ".html"
 /// The touches of an earlier cohort.
 Expected<Table> earlier(const fs::path& folder) {
   constexpr std::uintmax_t kLargest = 1 << 30;  // bytes
-  constexpr std::size_t kLongestLine = 1 << 20;
+  constexpr std::size_t kLongestRow = 1 << 20;
   auto file = haptics::openInput(folder / "group_touches.tsv", kLargest);
   if (!file)
     return tl::unexpected(Error{Error::Kind::NotFound,
@@ -186,7 +186,7 @@ Expected<Table> earlier(const fs::path& folder) {
                                 "no-cohort"});
   Table table;
   for (std::string line;
-       haptics::takeLine(*file, line, kLongestLine) == haptics::LineRead::Whole;) {
+       haptics::takeLine(*file, line, kLongestRow) == haptics::LineRead::Whole;) {
     std::istringstream stream(line);
     auto& cells = table.head.empty() ? table.head : table.rows.emplace_back();
     for (std::string one; std::getline(stream, one, '\t');) cells.push_back(one);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kRestMs = 300;  // without another isovalue, before walls are made at it
 
-bool isSame(const datasets::StructureWall& one, const datasets::StructureWall& other) {
+bool isSameWall(const datasets::StructureWall& one, const datasets::StructureWall& other) {
   return one.structure == other.structure && one.solid == other.solid &&
          one.distances.samples == other.distances.samples;
 }
@@ -30,7 +30,7 @@ WallsController::WallsController(ui::Messages& messages, SharedState& shared)
 
 void WallsController::setWatch(const std::shared_ptr<const haptics::Watch>& watch) {
   std::vector<datasets::StructureWall> walls = wallsOf(watch.get());
-  if (std::ranges::equal(walls, walls_, isSame)) return;
+  if (std::ranges::equal(walls, walls_, isSameWall)) return;
   walls_ = std::move(walls);
   maker_.abandon();
   showScene();

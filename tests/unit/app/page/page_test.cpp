@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <algorithm>
 #include <regex>
 #include <set>
 
@@ -137,6 +138,24 @@ TEST(Plot, DrawsALineAloneWhereASeriesHasNoMarks) {
   EXPECT_NE(marked.find("<circle"), std::string::npos);
   EXPECT_EQ(bare.find("<circle"), std::string::npos);
   EXPECT_NE(bare.find("class='line'"), std::string::npos);
+}
+
+TEST(Plot, ALineOfManyPointsHasMarksAtSomeOfThem) {
+  Plot plot{.title = "a", .description = "b", .x = {"x"}, .y = {"y"}};
+  const auto marksOf = [&](std::size_t points) {
+    plot.series = {{.name = "line", .points = {}}};
+    for (std::size_t n = 0; n < points; ++n)
+      plot.series[0].points.push_back({.x = double(n), .y = double(n % 7)});
+    const std::string svg = svgOf(plot, "p");
+    const std::string line = svg.substr(svg.find("class='line'"));
+    EXPECT_EQ(std::ranges::count(line.substr(0, line.find("/>")), 'L'), std::ptrdiff_t(points) - 1);
+    std::size_t marks = 0;
+    for (auto at = svg.find("<circle"); at != svg.npos; at = svg.find("<circle", at + 1)) ++marks;
+    return marks - 1;  // one is the legend's
+  };
+  EXPECT_EQ(marksOf(page::kMostMarks), page::kMostMarks);
+  EXPECT_GE(marksOf(1000), 10U);
+  EXPECT_LE(marksOf(1000), 20U);
 }
 
 TEST(Plot, SaysWhatItIsToWhoCannotSeeIt) {
