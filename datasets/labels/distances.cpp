@@ -155,31 +155,6 @@ class Work {
   std::unique_ptr<float[]> squares_;  // m²
 };
 
-/// Bound of the slope of what is trilinear between the samples.
-double steepestOf(const DistanceMap& map) {
-  const auto& dims = map.grid.dims;
-  const std::int64_t row = dims[0], slice = dims[0] * dims[1];
-  const Vec3 slope = map.step * map.grid.spacing.cwiseInverse();
-  std::vector<double> of_slice(std::size_t(dims[2] - 1));
-  haptics::inParallel(dims[2] - 1, [&](std::int64_t k) {
-    double most = 0.0;
-    for (std::int64_t j = 0; j + 1 < dims[1]; ++j) {
-      const std::int16_t* at = map.samples.get() + k * slice + j * row;
-      for (std::int64_t i = 0; i + 1 < dims[0]; ++i, ++at) {
-        const auto along = [&](std::int64_t by, std::int64_t one, std::int64_t other) {
-          return std::max({std::abs(at[by] - at[0]), std::abs(at[by + one] - at[one]),
-                           std::abs(at[by + other] - at[other]),
-                           std::abs(at[by + one + other] - at[one + other])});
-        };
-        const Vec3 steps(along(1, row, slice), along(row, 1, slice), along(slice, 1, row));
-        most = std::max(most, steps.cwiseProduct(slope).squaredNorm());
-      }
-    }
-    of_slice[std::size_t(k)] = most;
-  });
-  return (1.0 + 1e-9) * std::sqrt(*std::ranges::max_element(of_slice));  // of rounding, too
-}
-
 // bytes of a sample while the map is made; two of them stay
 constexpr std::size_t kBytes = kDistanceWork;
 static_assert(kBytes == sizeof(float) + sizeof(std::int16_t) + 1);
@@ -278,7 +253,7 @@ Expected<DistanceMap> distancesTo(const LabelMap& labels, std::uint8_t structure
   for (std::int64_t n = 0; n < count; ++n)
     if (work.inside()[n] != 0) samples[std::size_t(n)] = std::int16_t(-samples[std::size_t(n)]);
   map.samples = std::move(samples);
-  map.steepest = steepestOf(map);
+  haptics::boundSlopes(map);
   if (!pass()) return cancelled();
   return map;
 }

@@ -19,8 +19,6 @@ haptics::DistanceMap distanceMap(const haptics::Grid& grid, const Distance& dist
   map.grid = grid;
   map.most = most;
   map.step = most / std::numeric_limits<std::int16_t>::max();
-  // of what is linear between samples of a distance: the root of 3, and rounding
-  map.steepest = 1.8;
   std::shared_ptr<std::int16_t[]> samples(new std::int16_t[std::size_t(grid.voxelCount())]);
   std::int16_t* at = samples.get();
   for (std::int64_t k = 0; k < grid.dims[2]; ++k)
@@ -30,6 +28,7 @@ haptics::DistanceMap distanceMap(const haptics::Grid& grid, const Distance& dist
             std::clamp(distance(grid.worldOf({double(i), double(j), double(k)})), -most, most) /
             map.step));
   map.samples = std::move(samples);
+  haptics::boundSlopes(map);
   return map;
 }
 

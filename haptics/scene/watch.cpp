@@ -2,6 +2,8 @@
 #include "haptics/scene/watch.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace haptics {
 namespace {
@@ -17,31 +19,69 @@ struct ToSamples {
   Vec3 origin;
 };
 
-NearestPoint nearestOf(const DistanceMap& map, const ShellTree& tree, const ToSamples& to,
-                       double below) HAPTICS_RT {
-  NearestPoint nearest{below};
-  const int end = static_cast<int>(tree.nodes.size());
-  for (int n = 0; n < end;) {
-    const ShellTree::Node& node = tree.nodes[std::size_t(n)];
-    if (map.atIndex(to(node.centre)) - map.steepest * node.radius >= nearest.distance) {
-      n = node.next;
-      continue;
-    }
-    if (node.leaf)
-      for (std::size_t i = std::size_t(node.first); i < std::size_t(node.first + node.count); ++i) {
-        const double distance = map.atIndex(to({tree.x[i], tree.y[i], tree.z[i]}));
-        if (distance < nearest.distance) nearest = {distance, tree.index[i]};
+/// The search for the nearest of a tool's points.
+class Nearest {
+ public:
+  Nearest(const DistanceMap& map, const ShellTree& tree, const ToSamples& to,
+          double below) HAPTICS_RT : map_{map},
+                                     tree_{tree},
+                                     to_{to},
+                                     found_{below} {}
+
+  NearestPoint find() HAPTICS_RT {
+    // down to the nearer child first: then most of the others cannot be nearer
+    std::array<Part, 64> parts;  // one a level of the tree, and one
+    std::size_t count = 0;
+    if (!tree_.nodes.empty()) parts[count++] = partAt(0);
+    while (count > 0) {
+      const Part part = parts[--count];
+      const ShellTree::Node& node = tree_.nodes[std::size_t(part.node)];
+      if (!mayHaveNearer(part, node)) continue;
+      if (node.leaf) {
+        look(node);
+        continue;
       }
-    ++n;
+      const int first = part.node + 1;
+      Part near = partAt(first), far = partAt(tree_.nodes[std::size_t(first)].next);
+      if (far.distance < near.distance) std::swap(near, far);
+      parts[count++] = far;
+      parts[count++] = near;
+    }
+    return found_;
   }
-  return nearest;
-}
+
+ private:
+  struct Part {
+    int node = 0;
+    double distance = 0.0;  ///< of its centre
+  };
+  Part partAt(int n) const HAPTICS_RT {
+    return {n, map_.atIndex(to_(tree_.nodes[std::size_t(n)].centre))};
+  }
+  /// On the way to a nearer place the distance falls below the least so far, and from there on the
+  /// slope does not count: if that is outside, none inside does.
+  bool mayHaveNearer(const Part& part, const ShellTree::Node& node) const HAPTICS_RT {
+    const double slope = found_.distance >= 0.0 ? map_.steepest_outside : map_.steepest;
+    return part.distance - slope * node.radius < found_.distance;
+  }
+  void look(const ShellTree::Node& leaf) HAPTICS_RT {
+    for (auto i = std::size_t(leaf.first); i < std::size_t(leaf.first + leaf.count); ++i) {
+      const double distance = map_.atIndex(to_({tree_.x[i], tree_.y[i], tree_.z[i]}));
+      if (distance < found_.distance) found_ = {distance, tree_.index[i]};
+    }
+  }
+
+  const DistanceMap& map_;
+  const ShellTree& tree_;
+  const ToSamples& to_;
+  NearestPoint found_;
+};
 
 }  // namespace
 
 NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
                           double below) HAPTICS_RT {
-  return nearestOf(map, scene.tree, {map, X_WT}, below);
+  return Nearest{map, scene.tree, ToSamples{map, X_WT}, below}.find();
 }
 
 void measure(const Watch& watch, const ShellTree& tree, const Vec3& tip, const Pose& X_WP,
@@ -51,7 +91,7 @@ void measure(const Watch& watch, const ShellTree& tree, const Vec3& tip, const P
     const DistanceMap& map = watched.distances;
     const ToSamples to{map, X_WP};
     const double of_tip = std::min(map.atIndex(to(tip)), map.told());
-    const double nearest = nearestOf(map, tree, to, map.told()).distance;
+    const double nearest = Nearest{map, tree, to, map.told()}.find().distance;
     if (!measured.push({watched.structure, float(of_tip), float(nearest)})) break;
   }
 }

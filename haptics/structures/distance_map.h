@@ -22,7 +22,9 @@ struct DistanceMap {
   /// m, by which a distance outside the structure is wrong at most, because voxels do not say where
   /// between them its surface lies. In its middle, where two sides are as near, it is twice that.
   double error = 0.0;
-  double steepest = 1.0;                          ///< bound of the slope between samples
+  /// Bounds of the slope between the samples: anywhere, and where the distance is not negative.
+  /// Where two sides are as near it is steeper than 1.
+  double steepest = 1.0, steepest_outside = 1.0;
   std::shared_ptr<const std::int16_t[]> samples;  ///< i fastest
 
   /// Bytes of the samples.
@@ -94,5 +96,8 @@ struct DistanceMap {
     return cell;
   }
 };
+
+/// Sets the bounds of the slope; on all cores, and not on the servo thread.
+void boundSlopes(DistanceMap& map);
 
 }  // namespace haptics
