@@ -437,8 +437,8 @@ void StructuresController::makeDistances() {
           distances_[number] = std::move(*map);
           giveWatch();
         } else {
-          change(number, [](ui::StructureLook& look) { look.watched = false; });
           messages_.showMessage(sentenceOf(map.error()));
+          return watch(number, false);
         }
         makeDistances();
       });

@@ -55,7 +55,9 @@ bool isNerve(QColor c) { return near(c, Qt::magenta); }
 bool isNerveInSpace(QColor c) {
   return c.red() > 70 && c.blue() > 70 && c.green() < 0.6 * c.red() && c.green() < 0.6 * c.blue();
 }
-bool isCanalInSpace(QColor c) { return c.green() > c.red() + 40 && c.green() > c.blue() + 40; }
+bool isCanalInSpace(QColor c) {
+  return c.green() > 100 && c.red() < 0.4 * c.green() && c.blue() < 0.4 * c.green();
+}
 
 class Structures : public StructuresWindow {
  protected:
