@@ -196,24 +196,25 @@ ordered_json frameOf(const Recording& recording) {
 }
 
 ordered_json kindsOfEvents() {
-  return {{"isovalue", "The isovalue moved, to value"},
-          {"stiffness", "The stiffness moved, to value [N/m]"},
-          {"angular_stiffness", "The angular stiffness moved, to value [N.m/rad]"},
-          {"friction", "The friction moved, to value"},
-          {"scene", "Another scene, of number value"},
-          {"force_scale", "The force scale moved, to value"},
-          {"position_scale", "The position scale moved, to value"},
-          {"force", "The force became value: " + std::string{columnNamed("force_state").meaning}},
-          {"device", "Of the device, value is: " + std::string{columnNamed("flags").meaning}},
-          {"clutch", "The tool stays while the hand moves: value 1; again with it: 0"},
-          {"gap", "So many steps as value before this were not recorded"},
-          {"late", "So many ticks as value began late until now"},
-          {"missed", "So many ticks as value were left out until now"},
-          {"hand", "Another hand holds the device"},
-          {"mark", "The user set a mark, with a note"},
-          {"edit", "A part of the scan was taken away or brought back: the command is in the note"},
-          {"structures", "Structures are felt otherwise: the note lists them; 1: from the beginning"},
-          {"camera", "The view moved"}};
+  return {
+      {"isovalue", "The isovalue moved, to value"},
+      {"stiffness", "The stiffness moved, to value [N/m]"},
+      {"angular_stiffness", "The angular stiffness moved, to value [N.m/rad]"},
+      {"friction", "The friction moved, to value"},
+      {"scene", "Another scene, of number value"},
+      {"force_scale", "The force scale moved, to value"},
+      {"position_scale", "The position scale moved, to value"},
+      {"force", "The force became value: " + std::string{columnNamed("force_state").meaning}},
+      {"device", "Of the device, value is: " + std::string{columnNamed("flags").meaning}},
+      {"clutch", "The tool stays while the hand moves: value 1; again with it: 0"},
+      {"gap", "So many steps as value before this were not recorded"},
+      {"late", "So many ticks as value began late until now"},
+      {"missed", "So many ticks as value were left out until now"},
+      {"hand", "Another hand holds the device"},
+      {"mark", "The user set a mark, with a note"},
+      {"edit", "A part of the scan was taken away or brought back: the command is in the note"},
+      {"structures", "Structures are felt otherwise: the note lists them; 1: from the beginning"},
+      {"camera", "The view moved"}};
 }
 
 }  // namespace app::exporting

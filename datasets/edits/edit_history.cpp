@@ -83,8 +83,8 @@ std::shared_ptr<const haptics::Volume> finished(
 }
 
 /// Applies edits to the draft of a scan, one after the other in one view.
-haptics::Expected<void> applyAll(const haptics::Volume& scan, std::span<const Edit> edits, Draft& draft,
-                        ChangedBoxes& changed, const EditWatch& watch) {
+haptics::Expected<void> applyAll(const haptics::Volume& scan, std::span<const Edit> edits,
+                                 Draft& draft, ChangedBoxes& changed, const EditWatch& watch) {
   for (std::size_t n = 0; n < edits.size(); ++n) {
     if (watch.cancel != nullptr && watch.cancel->load()) return tl::unexpected(editCancelled());
     EditWatch part = watch;

@@ -30,8 +30,8 @@ struct Removal {
 /// What an edit would take away from a volume, without doing it. `isovalue`: the present one, for
 /// edits that have none. Refuses an edit that takes nothing away, reason "nothing", and a seed that
 /// is not in the solid, reason "no-piece". Any thread.
-haptics::Expected<Removal> removalOf(const haptics::Volume& volume, const Edit& edit, double isovalue,
-                            const EditWatch& watch = {});
+haptics::Expected<Removal> removalOf(const haptics::Volume& volume, const Edit& edit,
+                                     double isovalue, const EditWatch& watch = {});
 
 /// The edits of one scan, with undo and redo.
 ///
@@ -66,7 +66,7 @@ class EditHistory {
   /// Applies an edit and forgets what could be redone. Refuses as removalOf() does, and a volume
   /// without a memory object, reason "not-editable".
   haptics::Expected<std::shared_ptr<const haptics::Volume>> apply(const Edit& edit,
-                                                         const EditWatch& watch = {});
+                                                                  const EditWatch& watch = {});
   haptics::Expected<std::shared_ptr<const haptics::Volume>> undo(const EditWatch& watch = {});
   haptics::Expected<std::shared_ptr<const haptics::Volume>> redo(const EditWatch& watch = {});
   /// Takes all edits back; they can be redone.
@@ -78,8 +78,8 @@ class EditHistory {
 };
 
 /// The volume after these edits of a scan: for a replay and a session file.
-haptics::Expected<std::shared_ptr<const haptics::Volume>> edited(std::shared_ptr<const haptics::Volume> scan,
-                                                        std::span<const Edit> edits,
-                                                        const EditWatch& watch = {});
+haptics::Expected<std::shared_ptr<const haptics::Volume>> edited(
+    std::shared_ptr<const haptics::Volume> scan, std::span<const Edit> edits,
+    const EditWatch& watch = {});
 
 }  // namespace datasets

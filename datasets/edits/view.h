@@ -38,7 +38,7 @@ class TouchedBlocks {
 /// A private view of a scan with these blocks of another view. Refuses a scan without a memory
 /// object, reason "not-editable".
 haptics::Expected<std::shared_ptr<void>> viewOf(const haptics::Volume& scan, const void* present,
-                                       const TouchedBlocks& touched);
+                                                const TouchedBlocks& touched);
 
 /// A digest of the voxels that differ from the scan's, in the order of memory.
 std::uint64_t digestOfVoxels(const haptics::Volume& scan, const void* voxels,

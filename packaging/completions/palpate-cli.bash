@@ -14,6 +14,7 @@ _palpate_cli() {
       " run") command="run" ;;
       " replay") command="replay" ;;
       " recover") command="recover" ;;
+      " report") command="report" ;;
       " surface") command="surface" ;;
       " export") command="export" ;;
       " study") command="study" ;;
@@ -25,11 +26,15 @@ _palpate_cli() {
     esac
   done
   case "$command $before" in
+    "info --phantom") compopt -o default; return ;;
     "info --series") compopt -o default; return ;;
     "info --every") compopt -o default; return ;;
     "info --box") compopt -o default; return ;;
     "info --labels") compopt -o default; return ;;
+    "info --table") compopt -o default; return ;;
+    "info --space") mapfile -t COMPREPLY < <(compgen -W "LPS RAS" -- "$word"); return ;;
     "convert --phantom") compopt -o default; return ;;
+    "convert --labels-out") compopt -o default; return ;;
     "convert --series") compopt -o default; return ;;
     "convert --every") compopt -o default; return ;;
     "convert --box") compopt -o default; return ;;
@@ -96,6 +101,9 @@ _palpate_cli() {
     "run --normals") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
     "run --device") compopt -o default; return ;;
     "run --rate") mapfile -t COMPREPLY < <(compgen -W "1000 2000 4000" -- "$word"); return ;;
+    "run --labels") compopt -o default; return ;;
+    "run --watch") compopt -o default; return ;;
+    "run --feel") compopt -o default; return ;;
     "run --trace") compopt -o default; return ;;
     "run --record") compopt -o default; return ;;
     "run --seed") compopt -o default; return ;;
@@ -104,6 +112,18 @@ _palpate_cli() {
     "replay --series") compopt -o default; return ;;
     "replay --every") compopt -o default; return ;;
     "replay --box") compopt -o default; return ;;
+    "replay --labels") compopt -o default; return ;;
+    "replay --watch") compopt -o default; return ;;
+    "report --volume") compopt -o default; return ;;
+    "report --phantom") compopt -o default; return ;;
+    "report --series") compopt -o default; return ;;
+    "report --every") compopt -o default; return ;;
+    "report --box") compopt -o default; return ;;
+    "report --labels") compopt -o default; return ;;
+    "report --watch") compopt -o default; return ;;
+    "report --margin") compopt -o default; return ;;
+    "report --name") compopt -o default; return ;;
+    "report --out") compopt -o default; return ;;
     "surface --phantom") compopt -o default; return ;;
     "surface --series") compopt -o default; return ;;
     "surface --every") compopt -o default; return ;;
@@ -141,16 +161,17 @@ _palpate_cli() {
     *) ;;
   esac
   case "$command" in
-    "") mapfile -t COMPREPLY < <(compgen -W "info convert cohort devices tool run replay recover surface export study -h --help --version" -- "$word") ;;
-    "info") mapfile -t COMPREPLY < <(compgen -W "-h --help --series --correct --largest-part --every --box --labels --names --json" -- "$word") ;;
-    "convert") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
+    "") mapfile -t COMPREPLY < <(compgen -W "info convert cohort devices tool run replay recover report surface export study -h --help --version" -- "$word") ;;
+    "info") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --labels --table --space --belongs --names --json" -- "$word") ;;
+    "convert") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --labels-out --series --correct --largest-part --every --box --json" -- "$word") ;;
     "cohort") mapfile -t COMPREPLY < <(compgen -W "merge -h --help --isovalue --tool --hand --repetitions --seconds --stiffness --angular-stiffness --friction --field --normals --epsilon --sub-steps --budget --rate --seed --tool-mesh --tool-unit --shard --jobs --plan --json" -- "$word") ;;
     "cohort merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --before --isovalue --tool --hand --repetitions --seconds --stiffness --angular-stiffness --friction --field --normals --epsilon --sub-steps --budget --rate --seed --tool-mesh --tool-unit --json" -- "$word") ;;
     "devices") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "tool") mapfile -t COMPREPLY < <(compgen -W "-h --help --points --tool-unit --out --json" -- "$word") ;;
-    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --normals --device --rate --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
-    "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --json" -- "$word") ;;
+    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --normals --device --rate --labels --watch --feel --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
+    "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --labels --watch --json" -- "$word") ;;
     "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
+    "report") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --labels --watch --margin --name --out --json" -- "$word") ;;
     "surface") mapfile -t COMPREPLY < <(compgen -W "-h --help --phantom --series --correct --largest-part --every --box --isovalue --out --frame --largest --view --json" -- "$word") ;;
     "export") mapfile -t COMPREPLY < <(compgen -W "-h --help --format --out --from --to --rate --no-contacts --volume --phantom --series --correct --largest-part --every --box --size --fps --speed --burn-in --camera --surface --slices --view --json" -- "$word") ;;
     "study") mapfile -t COMPREPLY < <(compgen -W "accuracy stability plan merge -h --help" -- "$word") ;;

@@ -185,8 +185,7 @@ Expected<Table> earlier(const fs::path& folder) {
                                                   "an earlier cohort.",
                                 "no-cohort"});
   Table table;
-  for (std::string line;
-       haptics::takeLine(*file, line, kLongestRow) == haptics::LineRead::Whole;) {
+  for (std::string line; haptics::takeLine(*file, line, kLongestRow) == haptics::LineRead::Whole;) {
     std::istringstream stream(line);
     auto& cells = table.head.empty() ? table.head : table.rows.emplace_back();
     for (std::string one; std::getline(stream, one, '\t');) cells.push_back(one);

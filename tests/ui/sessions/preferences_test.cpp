@@ -36,10 +36,8 @@ TEST(Preferences, RememberTheNumbersOfStructuresAndNotThatOneIsFelt) {
   EXPECT_EQ(app::loadPreferences().feel, ui::StructureFeel{});
   app::Preferences preferences = app::loadPreferences();
   preferences.near = {.near_mm = 7.5, .close_mm = 1.5};
-  preferences.feel = {.kind = ui::StructureFeel::Kind::Guarded,
-                      .stiffness = 150.0,
-                      .margin_mm = 4.5,
-                      .most = 1.25};
+  preferences.feel = {
+      .kind = ui::StructureFeel::Kind::Guarded, .stiffness = 150.0, .margin_mm = 4.5, .most = 1.25};
   app::savePreferences(preferences);
   EXPECT_EQ(app::loadPreferences().near, preferences.near);
   ui::StructureFeel kept = preferences.feel;
