@@ -7698,6 +7698,18 @@
         <source>The tool goes into the structure as into air; what is shown stays</source>
         <translation>Das Werkzeug fährt in die Struktur wie in Luft; zu sehen bleibt sie</translation>
     </message>
+    <message>
+        <source>Beep when near</source>
+        <translation>Piepen, wenn nah</translation>
+    </message>
+    <message>
+        <source>The nearer a structure whose distance is told, the sooner the next beep; close ones beep higher</source>
+        <translation>Je näher eine Struktur ist, deren Abstand genannt wird, desto eher kommt der nächste Ton; sehr nahe klingen höher</translation>
+    </message>
+    <message>
+        <source>There is no program that plays sounds: install PipeWire, PulseAudio or ALSA&apos;s utilities</source>
+        <translation>Es gibt kein Programm, das Töne spielt: Installieren Sie PipeWire, PulseAudio oder die Programme von ALSA</translation>
+    </message>
 </context>
 <context>
     <name>ui::SurfaceDialog</name>

@@ -126,6 +126,7 @@ StructuresPanel::StructuresPanel(QWidget* parent)
       feel_(new QComboBox),
       near_mm_(new NumberBox),
       close_mm_(new NumberBox),
+      sound_(new QCheckBox(tr("Beep when near"))),
       through_(new QCheckBox(tr("Through the bone"))),
       filled_(new QCheckBox(tr("Filled in slices"))),
       open_(new QPushButton(tr("Open…"))),
@@ -335,6 +336,10 @@ QWidget* StructuresPanel::buildAll() {
   };
   add(*near_mm_, "nearFrom", tr("Near from"), limits.near_mm, 3);
   add(*close_mm_, "closeFrom", tr("Close from"), limits.close_mm, 4);
+  sound_->setObjectName("nearSound");
+  connect(sound_, &QCheckBox::toggled, this, &StructuresPanel::soundChosen);
+  grid->addWidget(sound_, 5, 0, 1, 2);
+  setSoundPossible(true);
   return part;
 }
 
@@ -354,6 +359,14 @@ bool StructuresPanel::eventFilter(QObject* watched, QEvent* event) {
   else
     return false;
   return true;
+}
+
+void StructuresPanel::setSoundPossible(bool possible) {
+  sound_->setEnabled(possible);
+  sound_->setToolTip(possible ? tr("The nearer a structure whose distance is told, the sooner the "
+                                   "next beep; close ones beep higher")
+                              : tr("There is no program that plays sounds: install PipeWire, "
+                                   "PulseAudio or ALSA's utilities"));
 }
 
 void StructuresPanel::setLimits(const NearLimits& limits) {

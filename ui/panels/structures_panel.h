@@ -36,6 +36,8 @@ class StructuresPanel : public QWidget {
   void show(const Structures& structures);
   using QWidget::show;
   void setLimits(const NearLimits& limits);
+  /// Whether the system can play a sound.
+  void setSoundPossible(bool possible);
   /// Shows the distances of the structures that are watched, by number; the others have none.
   void showNear(const std::vector<std::pair<int, StructureNear>>& near);
 
@@ -55,6 +57,8 @@ class StructuresPanel : public QWidget {
   void feelChosen(int number, const StructureFeel& feel);
   /// From which distances on a structure is near, and close.
   void limitsChosen(const NearLimits& limits);
+  /// Whether a sound is to say it, too.
+  void soundChosen(bool on);
   void renamed(int number, const QString& name);
   /// This structure alone is to be seen.
   void aloneWanted(int number);
@@ -99,6 +103,7 @@ class StructuresPanel : public QWidget {
   std::vector<FeelNumber> feel_numbers_;
   NumberBox* near_mm_;
   NumberBox* close_mm_;
+  QCheckBox* sound_;
   QCheckBox* through_;
   QCheckBox* filled_;
   QPushButton* open_;

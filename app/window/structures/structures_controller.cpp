@@ -145,6 +145,8 @@ void StructuresController::connectPanel() {
   connect(panel_, &Panel::feelChosen, this, &StructuresController::feel);
   connect(panel_, &Panel::limitsChosen, this,
           [this](const ui::NearLimits& limits) { limits_ = limits; });
+  panel_->setSoundPossible(NearSound::isPossible());
+  connect(panel_, &Panel::soundChosen, &sound_, &NearSound::setOn);
   connect(panel_, &Panel::renamed, this, [this](int number, const QString& name) {
     const std::string shown = datasets::shownName(name.toStdString());
     change(number, [&](StructureLook& look) {
@@ -482,6 +484,7 @@ void StructuresController::showNear(const haptics::Snapshot& snapshot) {
   if (lines.empty() && !near_shown_) return;
   near_shown_ = !lines.empty();
   panel_->showNear(rows);
+  sound_.show(lines, limits_);
   emit nearChanged(lines, limits_);
 }
 

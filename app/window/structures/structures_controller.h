@@ -14,6 +14,7 @@
 #include "app/background/task.h"
 #include "app/window/program/preferences_controller.h"
 #include "app/window/scan/shared_state.h"
+#include "app/window/structures/near_sound.h"
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/label_map.h"
 #include "haptics/scene/watch.h"
@@ -134,6 +135,7 @@ class StructuresController : public QObject {
   SharedState& shared_;
   std::function<double()> free_memory_;
   ui::StructuresPanel* panel_;
+  NearSound sound_;
   std::weak_ptr<const haptics::Volume> scan_;  ///< on view
   bool offered_ = false;                       ///< what was found with the scan on view
   std::filesystem::path found_at_;
