@@ -311,13 +311,15 @@ std::string svgOf(const Plot& plot, const std::string& id) {
     const Series& series = plot.series[n];
     const int look = static_cast<int>(n) % kMostSeries;
     svg += text("<g class='s%d'>\n", look);
+    const auto isOfLine = [&](const PlotPoint& p) {
+      return series.joined && p.in_line && drawn(p);
+    };
     std::string line;
     for (const PlotPoint& p : series.points)
-      if (series.joined && p.in_line && drawn(p))
-        line += text("%s%.1f %.1f", line.empty() ? "M" : "L", x.at(p.x), y.at(p.y));
+      if (isOfLine(p)) line += text("%s%.1f %.1f", line.empty() ? "M" : "L", x.at(p.x), y.at(p.y));
     if (!line.empty()) svg += "<path class='line' d='" + line + "'/>\n";
     std::set<std::pair<long, long>> places;  // of marks, to a unit of the viewBox
-    const auto points = std::size_t(std::ranges::count_if(series.points, drawn));
+    const auto points = std::size_t(std::ranges::count_if(series.points, isOfLine));
     const std::size_t apart = points > kMostMarks ? points / kMarksOfMany + 1 : 1;
     std::size_t number = 0;
     for (const PlotPoint& p : series.points) {
@@ -326,7 +328,7 @@ std::string svgOf(const Plot& plot, const std::string& id) {
       if (std::isfinite(p.low) && std::isfinite(p.high))
         svg += text("<path class='spread' d='M%.1f %.1fV%.1f'/>", at_x, y.at(p.low), y.at(p.high));
       // a line of many points has a mark at some of them
-      const bool is_marked = series.marked && (!series.joined || number++ % apart == 0);
+      const bool is_marked = series.marked && (!isOfLine(p) || number++ % apart == 0);
       if (!is_marked || !places.emplace(std::lround(at_x), std::lround(at_y)).second) continue;
       if (p.setting.empty()) {
         svg += mark(look, at_x, at_y) + "\n";
