@@ -87,7 +87,7 @@ TABLE = {
         "JPEG-lossy.dcm": "refused bad-header", "JPEG2000.dcm": "refused bad-header",
         "JPEGLSNearLossless_16.dcm": "refused bad-header", "JPGExtended.dcm": "refused bad-header",
         "badVR.dcm": "refused bad-header", "image_dfl.dcm": "refused bad-header",
-        "liver_1frame.dcm": "refused bad-header", "no_meta.dcm": "refused unreadable",
+        "liver_1frame.dcm": "refused no-pixels", "no_meta.dcm": "refused unreadable",
         "no_meta_group_length.dcm": "refused bad-header", "rtdose.dcm": "refused bad-header",
         "rtstruct.dcm": "refused no-pixels"},
     "nrrd_oddities/fnndsc": {

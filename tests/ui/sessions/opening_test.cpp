@@ -607,12 +607,13 @@ TEST_F(Opening, TheNextScanIsLookedForWhereTheLastOneLay) {
     return folder;
   };
   started();
-  for (const QString name : {"one", "other"}) {
+  // of two grids: what has that of the scan on view may be its structures, and the user is asked
+  for (const auto& [name, of] : {std::pair<QString, const char*>{"one", "raw_le.nrrd"},
+                                 std::pair<QString, const char*>{"other", "ascii.nrrd"}}) {
     const QString folder = disk.own() + '/' + name;
     QDir(disk.own()).mkpath(name);
     const QString scan = folder + '/' + name + ".nrrd";
-    std::filesystem::copy(anyScans() / "nrrd_oddities/derived_from_tooth/raw_le.nrrd",
-                          scan.toStdString());
+    std::filesystem::copy(anyScans() / "nrrd_oddities/derived_from_tooth" / of, scan.toStdString());
     drop({scan.toStdString()});
     ASSERT_TRUE(loadedBegins(name + ".nrrd"));
     EXPECT_EQ(begins(), QDir(folder).absolutePath());
