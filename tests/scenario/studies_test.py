@@ -109,7 +109,11 @@ def main():
     html = (whole / "report.html").read_text()
     page = xml.etree.ElementTree.fromstring(html.replace("<!DOCTYPE html>", "", 1))
     assert not [tag for tag in page.iter() if {"src", "href"} & set(tag.attrib)]
-    titles = {plot["title"] for job in results["jobs"] for plot in job["plots"]}
+    def is_zero(plot):  # a sentence in place of a diagram
+        values = [value for one in plot["series"] for point in one["points"] for value in point[1:4] if value is not None]
+        return bool(values) and not any(values)
+
+    titles = {plot["title"] for job in results["jobs"] for plot in job["plots"] if not is_zero(plot)}
     shown = {"".join(caption.itertext()) for caption in page.iter("figcaption")}
     assert titles == shown, titles ^ shown
     for image in page.iter("svg"):
