@@ -47,7 +47,7 @@ std::vector<FigureOfStructure> figuresOfStructures();
 Definition withinMargin();
 /// Where the figures come from.
 std::vector<std::string> sources();
-/// What must be known of the numbers, and that they are no grade.
+/// Cautions about the numbers, and that they are no grade.
 std::vector<std::string> remarks();
 
 nlohmann::ordered_json jsonOf(const Report& report);

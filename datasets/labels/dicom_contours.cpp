@@ -15,7 +15,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,24 +45,6 @@ struct Region {
 constexpr double kSamePlane_mm = 1e-2;  // places are rounded
 constexpr double kOffPlane_mm = 0.1;
 
-/// The numbers of an element. Where a text is too long for its 16-bit length, programs write it as
-/// of an unknown kind.
-std::optional<std::vector<double>> decimalsIn(const vtkDICOMValue& value) {
-  if (value.GetVR() != vtkDICOMVR::UN) return numbersIn(value);
-  const auto* bytes = value.GetUnsignedCharData();
-  if (bytes == nullptr) return {};
-  std::string_view rest{reinterpret_cast<const char*>(bytes), value.GetVL()};
-  std::vector<double> numbers;
-  for (;;) {
-    const auto end = rest.find('\\');
-    const auto number = decimalString(rest.substr(0, end));
-    if (!number) return {};
-    numbers.push_back(*number);
-    if (end == rest.npos) return numbers;
-    rest.remove_prefix(end + 1);
-  }
-}
-
 /// Twice the area, along the normal about which the corners turn.
 Vec3 areaOf(const Contour& contour) {
   Vec3 area = Vec3::Zero();
@@ -81,7 +62,7 @@ Expected<std::vector<Contour>> contoursIn(const fs::path& path, const vtkDICOMIt
   const vtkDICOMValue& all = region.Get(DC::ContourSequence);
   for (int n = 0; const vtkDICOMItem* item = itemOf(all, n); ++n) {
     const std::string type = trimmedValue(item->Get(DC::ContourGeometricType));
-    const auto numbers = decimalsIn(item->Get(DC::ContourData));
+    const auto numbers = numbersIn(item->Get(DC::ContourData));
     const auto bad = [&] { return wrongField(path, "Contour Data"); };
     if (!numbers || numbers->size() % 3 != 0) return bad();
     const vtkDICOMValue& stated = item->Get(DC::NumberOfContourPoints);

@@ -51,7 +51,7 @@ class StructuresController : public QObject {
   /// Reads the structures of the scan on view, in the background. What was there before stays until
   /// they are known, and if the file is refused.
   void open(const std::filesystem::path& path);
-  /// What lies at the place of the scan that is opened next, or is on view.
+  /// The survey of the place of the scan that is opened next, or is on view.
   void know(const Surveyed& surveyed);
   /// The same as open(), of an entry of a survey.
   void openFound(const datasets::StructuresFound& found);
@@ -76,7 +76,7 @@ class StructuresController : public QObject {
   const QString& felt() const { return felt_; }
 
  signals:
-  /// What the session watches now, and how it is felt; null: nothing.
+  /// The session watches these now, felt in their ways; null: none.
   void watchGiven(const std::shared_ptr<const haptics::Watch>& watch);
   void scanWanted(const QStringList& paths);
   /// Structures are on view, in 3-D too.
