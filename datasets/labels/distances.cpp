@@ -211,8 +211,10 @@ Expected<DistanceMap> distancesTo(const LabelMap& labels, std::uint8_t structure
   DistanceMap map;
   map.most = options.most;
   map.step = options.most / std::numeric_limits<std::int16_t>::max();
-  const auto [every, first, sample_dims] = samplesOf(scan, box, options);
-  map.grid.dims = sample_dims;
+  const Samples placed = samplesOf(scan, box, options);
+  const std::int64_t every = placed.every;
+  const auto& first = placed.first;
+  map.grid.dims = placed.dims;
   map.grid.spacing = double(every) * scan.spacing;
   map.grid.direction = scan.direction;
   const double centre = 0.5 * double(every - 1);
