@@ -137,9 +137,9 @@ Expected<Planes> planesOf(const DicomFile& object, vtkDICOMMetaData* meta) {
   for (const SlicePlane& plane : planes.of_frame) heights_mm.push_back(height_mm(plane));
   std::ranges::sort(heights_mm);
   constexpr double kSame_mm = 1e-2;  // places are rounded
-  const auto [rest, end] = std::ranges::unique(
-      heights_mm, [](double low, double high) { return high - low < kSame_mm; });
-  heights_mm.erase(rest, end);
+  heights_mm.erase(std::unique(heights_mm.begin(), heights_mm.end(),
+                               [](double low, double high) { return high - low < kSame_mm; }),
+                   heights_mm.end());
   // frames without a marked pixel are mostly left out, so the smallest gap may be several steps
   std::vector<double> candidates;
   if (const auto stated =

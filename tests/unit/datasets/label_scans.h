@@ -4,14 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "datasets/labels/label_file.h"
 #include "datasets/labels/label_map.h"
 #include "haptics/core/volume.h"
+#include "tests/support/sentence.h"
 #include "tests/support/turned_scan.h"
+#include "tests/unit/datasets/scans.h"
 
 /// Scans that structures are put onto, and where the octants of turned_scan.h's box lie in them.
 namespace datasets::testing {
@@ -86,6 +92,55 @@ inline std::vector<std::uint8_t> setAt(const LabelMap& map, int n) {
 
 inline std::string reasonOf(const haptics::Expected<LabelMap>& map) {
   return map ? "" : map.error().reason;
+}
+
+/// Changes bytes behind the first ones, cuts, repeats and removes pieces.
+inline std::string damaged(std::string bytes, std::size_t behind, std::mt19937& random) {
+  const auto below = [&](std::size_t end) {
+    return std::uniform_int_distribution<std::size_t>{0, end - 1}(random);
+  };
+  const std::size_t changes = 1 + below(4);
+  for (std::size_t n = 0; n < changes && bytes.size() > behind + 60; ++n) {
+    const auto place = [&] { return behind + below(bytes.size() - behind); };
+    const std::size_t at = place();
+    switch (below(5)) {
+      case 0:
+        bytes[at] = char(below(256));
+        break;
+      case 1:
+        bytes.resize(at);
+        break;
+      case 2:
+        bytes.erase(at, 1 + below(8));
+        break;
+      case 3:
+        bytes.insert(at, bytes.substr(place(), 1 + below(40)));
+        break;
+      default:
+        for (std::size_t m = at; m < std::min(at + 4, bytes.size()); ++m) bytes[m] = '\xff';
+    }
+  }
+  return bytes;
+}
+
+/// Damages files (name, bytes) behind their first bytes until 200 are refused, each with a sentence
+/// and a reason.
+inline void expectDamagedRefused(const std::vector<std::pair<std::string, std::string>>& files,
+                                 std::size_t behind) {
+  Workshop workshop;
+  const haptics::Volume scan = scanOn(smallGrid());
+  std::mt19937 random{46};
+  int refused = 0;
+  std::size_t all = 0;
+  for (; refused < 200 && all < 2000; ++all) {
+    const auto& [name, bytes] = files[all % files.size()];
+    const auto map = readLabels(workshop.write(name, damaged(bytes, behind, random)), scan);
+    if (map) continue;
+    ++refused;
+    EXPECT_FALSE(sentence(map.error()).empty());
+    EXPECT_FALSE(map.error().reason.empty());
+  }
+  EXPECT_EQ(refused, 200) << "of " << all;
 }
 
 }  // namespace datasets::testing

@@ -13,6 +13,7 @@
 #include "tests/support/sentence.h"
 #include "tests/support/turned_scan.h"
 #include "tests/unit/datasets/label_scans.h"
+#include "tests/unit/datasets/nifti_bytes.h"
 #include "tests/unit/datasets/scans.h"
 
 namespace datasets {
@@ -270,6 +271,28 @@ TEST(Labels, ATableThatIsNoneIsRefusedByItsLine) {
   EXPECT_TRUE(said(std::string(1'100'000, '#')).starts_with("too-large"));
   EXPECT_EQ(reasonOf(readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.folder()})),
             "unreadable");
+}
+
+TEST(Labels, DamagedOnesAreRefusedWithASentence) {
+  const std::string keys =
+      "Segment0_ID:=Segment_1\nSegment0_Name:=nerve\nSegment0_Color:=1 0.5 0.25\n"
+      "Segment0_Extent:=0 3 0 2 0 1\nSegment0_LabelValue:=5\nSegment0_Layer:=0\n";
+  Nifti nifti;
+  nifti.dim = {3, 4, 3, 2, 1, 1, 1, 1};
+  nifti.quaternion_code = 1;
+  nifti.quaternion = {0, 0, 1};  // to the left and back, as the scan
+  nifti.voxels = std::string(48, '\0');
+  nifti.voxels[8] = 3;
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"a.seg.nrrd", segOf(keys, {marked({0, 1}, 5)})},
+      {"b.seg.nrrd", segOf(keys, {marked({0, 1}, 5), marked({2, 20})})},
+      {"a.nii", bytesOf(nifti)}};
+  Workshop workshop;
+  for (const auto& [name, bytes] : files) {
+    const auto map = readLabels(workshop.write(name, bytes), scanOn(smallGrid()));
+    ASSERT_TRUE(map) << sentence(map.error());
+  }
+  expectDamagedRefused(files, 0);
 }
 
 TEST(Labels, AreCancelledWhileTheyArePut) {
