@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// palpate-structures [SCENE [SECONDS]]: ticks with no structure and with twelve, in one process and
-// in turn along the same hands: watched as the scan has them, and with walls of six solid ones and
-// six that are not there. Prints JSON. bunny has 512 x 512 x 361 voxels.
+// palpate-structures [SCENE [SECONDS [REAL_SECONDS]]]: ticks with no structure and with twelve, in
+// one process and in turn along the same hands: watched as the scan has them, and with walls of six
+// solid ones and six that are not there. Then a hand slides in real time, and late ticks are
+// counted with none and with twelve in turn, so many seconds each. Prints JSON. bunny has 512 x 512
+// x 361 voxels.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/study/comparison/course.h"
@@ -18,7 +22,9 @@
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampled_distances.h"
 #include "haptics/scene/watch.h"
+#include "haptics/session.h"
 #include "haptics/simulation/closed_loop.h"
+#include "tests/bench/ticks.h"
 
 namespace {
 
@@ -70,13 +76,49 @@ struct Case {
   std::vector<double> ticks = {};  ///< us, of all rounds, hands and ticks
 };
 
+/// What a servo loop at 1 kHz counts with none watched and with twelve, a second each in turn.
+Json inRealTime(const haptics::ClosedLoop& loop, const haptics::Hand& hand,
+                const std::shared_ptr<const haptics::Watch>& watch, double length) {
+  haptics::Session session;
+  session.chooseRate(loop.rate);
+  session.set(loop.settings);
+  session.adopt(loop.scene, hand.at(0.0));
+  if (!session.open(haptics::HandKind::Slide)) return {{"failed", "the hand found no surface"}};
+  haptics::Snapshot snapshot;
+  const auto sleep = [&](double time) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(time));
+    session.latest(snapshot);
+    session.collectGarbage();
+  };
+  while (snapshot.contacts == 0) sleep(0.1);
+  std::array<bench::Ticks, 2> counted;
+  std::array<std::uint64_t, 2> near{};
+  for (int second = 0; second < int(2.0 * length); ++second) {
+    const bool twelve = second % 2 == 1;
+    session.watch(twelve ? watch : nullptr);
+    sleep(0.05);
+    const bench::Ticks before = bench::ticksOf(snapshot);
+    sleep(0.95);
+    counted[twelve] += bench::ticksOf(snapshot) - before;
+    near[twelve] += std::uint64_t(snapshot.near.size());
+  }
+  Json json{
+      {"policy", snapshot.policy == haptics::SchedulingPolicy::RealTime ? "real time" : "other"}};
+  json["none"] = bench::jsonOf(counted[0]);
+  json["twelve"] = bench::jsonOf(counted[1]);
+  json["watched"] = near;
+  return json;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "bunny";
   const double length = argc > 2 ? std::atof(argv[2]) : 2.0;
-  if (!std::ranges::count(comparison::sceneNames(), name) || !(length > 0.0)) {
-    std::fprintf(stderr, "Usage: palpate-structures [bunny|engine|hole|bone [SECONDS]]\n");
+  const double real = argc > 3 ? std::atof(argv[3]) : 10.0;
+  if (!std::ranges::count(comparison::sceneNames(), name) || !(length > 0.0) || !(real > 0.0)) {
+    std::fprintf(stderr,
+                 "Usage: palpate-structures [bunny|engine|hole|bone [SECONDS [REAL_SECONDS]]]\n");
     return 2;
   }
   const comparison::Touched touched = comparison::makeScene(name);
@@ -152,6 +194,8 @@ int main(int argc, char** argv) {
   json["ratio_of_a_tick"] = {{"p10", quantile(ratios, 0.1)},
                              {"p50", quantile(ratios, 0.5)},
                              {"p90", quantile(ratios, 0.9)}};
+  loop.scene = scene;
+  json["real_time"] = inRealTime(loop, hands.back(), watch, real);
   std::puts(json.dump(2).c_str());
   return 0;
 }
