@@ -38,7 +38,7 @@ class Nearest {
       const ShellTree::Node& node = tree_.nodes[std::size_t(part.node)];
       if (!mayHaveNearer(part, node)) continue;
       if (node.leaf) {
-        look(node);
+        look(part, node);
         continue;
       }
       const int first = part.node + 1;
@@ -60,14 +60,27 @@ class Nearest {
   }
   /// On the way to a nearer place the distance falls below the least so far, and from there on the
   /// slope does not count: if that is outside, none inside does.
-  bool mayHaveNearer(const Part& part, const ShellTree::Node& node) const HAPTICS_RT {
-    const double slope = found_.distance >= 0.0 ? map_.steepest_outside : map_.steepest;
-    return part.distance - slope * node.radius < found_.distance;
+  double slope() const HAPTICS_RT {
+    return found_.distance >= 0.0 ? map_.steepest_outside : map_.steepest;
   }
-  void look(const ShellTree::Node& leaf) HAPTICS_RT {
+  bool mayHaveNearer(const Part& part, const ShellTree::Node& node) const HAPTICS_RT {
+    return part.distance - slope() * node.radius < found_.distance;
+  }
+  /// Square of how far from a part's centre every nearer place is at least.
+  double squareOfWay(const Part& part) const HAPTICS_RT {
+    const double way = std::max(part.distance - found_.distance, 0.0) / slope();
+    return way * way;
+  }
+  void look(const Part& part, const ShellTree::Node& leaf) HAPTICS_RT {
+    double least = squareOfWay(part);
     for (auto i = std::size_t(leaf.first); i < std::size_t(leaf.first + leaf.count); ++i) {
-      const double distance = map_.atIndex(to_({tree_.x[i], tree_.y[i], tree_.z[i]}));
-      if (distance < found_.distance) found_ = {distance, tree_.index[i]};
+      const Vec3 point(tree_.x[i], tree_.y[i], tree_.z[i]);
+      if ((point - leaf.centre).squaredNorm() < least) continue;
+      const double distance = map_.atIndex(to_(point));
+      if (distance < found_.distance) {
+        found_ = {distance, tree_.index[i]};
+        least = squareOfWay(part);
+      }
     }
   }
 
