@@ -44,8 +44,10 @@ class Felt {
 };
 
 /// The wrench about X_WD's origin that keeps the tool away from a guarded structure: the gradient
-/// of a potential of the least distance of its points, so a closed path gives no energy. It rises
-/// from 0 at the margin to Feel::most at the structure, and stays that within.
+/// of a potential of the least distance of its points, so a closed path gives no energy. The least
+/// is rounded where points are about as near, so that the force turns from one to the next along a
+/// way of half a millimetre. It rises from 0 within the margin to Feel::most at the structure, and
+/// stays that within.
 Wrench guardAt(const Watch::Watched& guarded, const Scene& scene, const Pose& X_WD) HAPTICS_RT;
 
 }  // namespace haptics

@@ -28,6 +28,24 @@ class Nearest {
                                      to_{to},
                                      found_{below} {}
 
+  /// Those that are nearer than `below`.
+  bool collect(NearPoints& near) HAPTICS_RT {
+    for (int n = 0; n < static_cast<int>(tree_.nodes.size());) {
+      const ShellTree::Node& node = tree_.nodes[std::size_t(n)];
+      if (!mayHaveNearer(partAt(n), node)) {
+        n = node.next;
+        continue;
+      }
+      ++n;
+      if (!node.leaf) continue;
+      for (auto i = std::size_t(node.first); i < std::size_t(node.first + node.count); ++i) {
+        const double distance = map_.atIndex(to_({tree_.x[i], tree_.y[i], tree_.z[i]}));
+        if (distance < found_.distance && !near.push({distance, tree_.index[i]})) return false;
+      }
+    }
+    return true;
+  }
+
   NearestPoint find() HAPTICS_RT {
     // down to the nearer child first: then most of the others cannot be nearer
     std::array<Part, 64> parts;  // one a level of the tree, and one
@@ -95,6 +113,12 @@ class Nearest {
 NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
                           double below) HAPTICS_RT {
   return Nearest{map, scene.tree, ToSamples{map, X_WT}, below}.find();
+}
+
+bool nearPoints(const DistanceMap& map, const Scene& scene, const Pose& X_WT, double below,
+                NearPoints& near) HAPTICS_RT {
+  near.clear();
+  return Nearest{map, scene.tree, ToSamples{map, X_WT}, below}.collect(near);
 }
 
 void measure(const Watch& watch, const ShellTree& tree, const Vec3& tip, const Pose& X_WP,

@@ -69,6 +69,12 @@ struct NearestPoint {
 NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
                           double below) HAPTICS_RT;
 
+/// The shell points that are nearer than `below`, always in the same order. Returns false if there
+/// are more than have room.
+using NearPoints = FixedVector<NearestPoint, 256>;
+bool nearPoints(const DistanceMap& map, const Scene& scene, const Pose& X_WT, double below,
+                NearPoints& near) HAPTICS_RT;
+
 /// Measures the distances of the tool at X_WP to every structure of the watch: of its tip, in the
 /// tool frame [m], and the least over all of its points, which are in the tree; it leaves out those
 /// that cannot be it. The same watch, tool and pose give the same bits.

@@ -12,6 +12,7 @@
 #include "datasets/phantoms/sampling.h"
 #include "haptics/coupling/passivity.h"
 #include "haptics/proxy/felt.h"
+#include "haptics/simulation/grip.h"
 #include "tests/support/made.h"
 #include "tests/support/made_distances.h"
 
@@ -203,6 +204,35 @@ TEST(Guard, GivesNoEnergyOverAClosedPath) {
   }
   EXPECT_LT(most, 1e-3);  // J
   EXPECT_GT(felt, 4.0);
+}
+
+// a tool that is wider than a nerve, held in it by a hand that rests
+TEST(Guard, DoesNotShakeAHandThatRests) {
+  const auto scene = ballScene();
+  const Watch::Watched nerve{
+      1,
+      made::distanceMap(datasets::centredGrid(61, 1e-3),
+                        [](const Vec3& p) { return std::hypot(p.x(), p.z()) - 1e-3; }),
+      {.kind = Feel::Kind::Guarded, .margin = 2e-3, .most = 2.0}};
+  Random random{31};
+  double step = 0.0, felt = 0.0;
+  for (int n = 0; n < made::trials(40); ++n) {
+    const Pose X_WH = haptics::poseOf(random.box(1e-3), random.rotation());
+    haptics::Grip grip;
+    grip.X_WD = X_WH;
+    Wrench before;
+    for (int tick = 0; tick < 2000; ++tick) {
+      const Wrench guard = haptics::guardAt(nerve, *scene, grip.X_WD);
+      if (tick > 1000) {
+        step = std::max(step, (guard.force - before.force).norm());
+        felt = std::max(felt, guard.force.norm());
+      }
+      before = guard;
+      grip.advance(X_WH, guard, kPeriod);
+    }
+  }
+  EXPECT_LT(step, 0.02);
+  EXPECT_GT(felt, 0.1);  // it is pushed from both sides
 }
 
 TEST(Felt, WithNothingChosenIsTheCouplingsToTheBit) {
