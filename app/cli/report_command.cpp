@@ -141,7 +141,8 @@ std::string wordsFor(const report::Report& all, const std::vector<std::string>& 
                    ? "nearest " + mm + " mm at " + exporting::numberOf(figures.nearest.at) + " s"
                    : mm + " mm or more away") +
               ", contacts " + std::to_string(figures.encounter_count) +
-              (session.guarded[n] ? ", guarded" : "") + "\n";
+              (session.guarded[n] ? ", injuries " + std::to_string(figures.injury_count) : "") +
+              "\n";
     }
   }
   return text;

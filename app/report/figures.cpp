@@ -21,9 +21,10 @@ bool isEncounter(const TickOf& tick) { return tick.touched || tick.nearest <= 0.
 
 }  // namespace
 
-bool Tally::Run::begins(std::int64_t time_ns) {
-  const bool begins = !last_ns || time_ns - *last_ns >= kPause_ns;
+bool Tally::Run::begins(std::int64_t time_ns, bool now_guarded) {
+  const bool begins = !last_ns || time_ns - *last_ns >= kPause_ns || guarded != now_guarded;
   last_ns = time_ns;
+  guarded = now_guarded;
   return begins;
 }
 
@@ -90,10 +91,11 @@ void Tally::look(const Tick& tick) {
     if (now.touched) takeMore(of.largest_push, now.push, at);
     if (!isEncounter(now)) continue;
     const bool kept = of.encounters.size() == std::size_t(of.encounter_count);
-    if (encounter_[n].begins(tick.time_ns)) {
+    if (encounter_[n].begins(tick.time_ns, now.guarded)) {
       ++of.encounter_count;
+      of.injury_count += now.guarded;
       if (of.encounters.size() < FiguresOf::kMostEncounters)
-        of.encounters.push_back({at, at, double(now.nearest), now.push});
+        of.encounters.push_back({at, at, double(now.nearest), now.push, now.guarded});
     } else if (kept) {
       Encounter& last = of.encounters.back();
       last.to = at;

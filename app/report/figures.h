@@ -23,6 +23,7 @@ struct TickOf {
   float tip = 0.0F, nearest = 0.0F;  ///< m, as haptics::Nearness
   bool touched = false;              ///< a contact bears on a voxel of it
   double push = 0.0;                 ///< N, of all contacts that do
+  bool guarded = false;              ///< then
 };
 
 /// A tick, as far as figures need it.
@@ -45,11 +46,13 @@ struct Moment {
   double value = kNone, at = kNone;
 };
 
-/// A time in which the tool touched a structure or was inside it.
+/// A time in which the tool touched a structure or was inside it. It ends where the guard begins or
+/// ends.
 struct Encounter {
   double from = 0.0, to = 0.0;  ///< s, of the first and the last tick
   double nearest = 0.0;         ///< m
   double push = 0.0;            ///< N, the largest
+  bool guarded = false;         ///< so it is an injury
 };
 
 /// Figures of a structure, in SI.
@@ -60,7 +63,7 @@ struct FiguresOf {
   std::vector<double> within;      ///< for each margin
   double touch_time = 0.0, mean_push = kNone;
   Moment largest_push;
-  std::int64_t encounter_count = 0;
+  std::int64_t encounter_count = 0, injury_count = 0;
   double encounter_time = 0.0;
   std::vector<Encounter> encounters;  ///< the first of them
 };
@@ -94,7 +97,8 @@ class Tally {
   /// Contacts that only short pauses part are one.
   struct Run {
     std::optional<std::int64_t> last_ns = {};
-    bool begins(std::int64_t time_ns);
+    bool guarded = false;
+    bool begins(std::int64_t time_ns, bool now_guarded = false);
   };
   void weigh(const Tick& tick, double seconds);
   void look(const Tick& tick);

@@ -109,10 +109,13 @@ std::vector<FigureOfStructure> figuresOfStructures() {
           {{"touch_largest_N", "Largest force on it", "N", "Largest of these sums.", "5, 6"},
            [](const FiguresOf& f) { return f.largest_push; }},
           {{"encounters", "Contacts with it", "",
-            "How often the tool touched the structure or a point of it was inside; of a guarded "
-            "structure these are injuries. A pause shorter than 0.1 s parts no two.",
+            "How often the tool touched the structure or a point of it was inside. A pause shorter "
+            "than 0.1 s parts no two, but the begin and the end of a guard do.",
             "2, 6"},
            [](const FiguresOf& f) { return asIs(double(f.encounter_count)); }},
+          {{"injuries", "Injuries", "", "Those of these contacts while the structure was guarded.",
+            "2, 6"},
+           [](const FiguresOf& f) { return asIs(double(f.injury_count)); }},
           {{"encounters_s", "Time of contacts with it", "s",
             "Ticks in which the tool touched the structure or a point of it was inside.", "2, 6"},
            [](const FiguresOf& f) { return asIs(f.encounter_time); }}};
@@ -161,13 +164,18 @@ std::vector<std::string> remarks() {
       "Structures lie where the scan had them, also where it was edited."};
 }
 
+double errorOf_mm(const Structure& structure, double distance_mm) {
+  return 1e3 * structure.error * (distance_mm < 0.0 ? 2.0 : 1.0);
+}
+
 ordered_json jsonOf(const Report& report) {
   ordered_json json{{"schema", kSchema}, {"remarks", remarks()}};
   json["structures"] = ordered_json::array();
   for (const Structure& structure : report.structures) {
     ordered_json one{{"number", structure.number}};
     if (!structure.name.empty()) one["name"] = structure.name;
-    one["error_mm"] = 1e3 * structure.error;
+    one["error_mm"] = errorOf_mm(structure, 1.0);
+    one["error_inside_mm"] = errorOf_mm(structure, -1.0);
     one["told_up_to_mm"] = 1e3 * structure.told;
     json["structures"].push_back(std::move(one));
   }
@@ -194,7 +202,8 @@ ordered_json jsonOf(const Report& report) {
         of["moments"].push_back({{"from_s", encounter.from},
                                  {"to_s", encounter.to},
                                  {"nearest_mm", 1e3 * encounter.nearest},
-                                 {"largest_N", encounter.push}});
+                                 {"largest_N", encounter.push},
+                                 {"guarded", encounter.guarded}});
       one["structures"].push_back(std::move(of));
     }
     json["sessions"].push_back(std::move(one));
@@ -219,7 +228,8 @@ std::string csvOf(const Report& report) {
       const bool distance = structure != nullptr && std::string{of.unit} == "mm";
       csv += first + (structure ? std::to_string(structure->number) : "") + "," + of.key + "," +
              digitsOf(1e3 * margin) + "," + digitsOf(moment.value) + "," + of.unit + "," +
-             digitsOf(moment.at) + "," + digitsOf(distance ? 1e3 * structure->error : kNone) + "\n";
+             digitsOf(moment.at) + "," +
+             digitsOf(distance ? errorOf_mm(*structure, moment.value) : kNone) + "\n";
     };
     for (const FigureOfSession& figure : figuresOfSessions())
       row(figure.definition, nullptr, kNone, figure.of(session.figures));

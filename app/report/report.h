@@ -50,6 +50,9 @@ std::vector<std::string> sources();
 /// Cautions about the numbers, and that they are no grade.
 std::vector<std::string> remarks();
 
+/// By how much a distance is wrong at most [mm]: inside twice as much, as of haptics::DistanceMap.
+double errorOf_mm(const Structure& structure, double distance_mm);
+
 nlohmann::ordered_json jsonOf(const Report& report);
 /// A row for each figure of each session.
 std::string csvOf(const Report& report);

@@ -73,7 +73,8 @@ Table ofStructure(const Report& report, std::size_t n) {
           const bool distance = std::string{figure.definition.unit} == "mm";
           if (!distance) return cellOf(moment);
           if (!std::isfinite(moment.at)) return page::shortly(moment.value) + " or more";
-          return page::shortly(moment.value) + " ± " + page::shortly(1e3 * structure.error) +
+          return page::shortly(moment.value) + " ± " +
+                 page::shortly(errorOf_mm(structure, moment.value)) +
                  page::text(" at %.3f s", moment.at);
         }));
   for (std::size_t m = 0; m < structure.margins.size(); ++m)
@@ -139,9 +140,9 @@ void tellInjuries(const Report& report, Page& page) {
       const Session& session = report.sessions[s];
       if (!session.guarded[n]) continue;
       any_guarded = true;
-      count += session.figures.structures[n].encounter_count;
+      count += session.figures.structures[n].injury_count;
       for (const Encounter& one : session.figures.structures[n].encounters)
-        if (table.rows.size() < kMostRows)
+        if (one.guarded && table.rows.size() < kMostRows)
           table.rows.push_back({std::to_string(s + 1), std::to_string(report.structures[n].number),
                                 page::text("%.3f", one.from), page::text("%.3f", one.to),
                                 page::shortly(1e3 * one.nearest), page::shortly(one.push)});
@@ -149,9 +150,9 @@ void tellInjuries(const Report& report, Page& page) {
   if (!any_guarded)
     page.paragraph("No structure was guarded, so no contact counts as an injury.");
   else if (count == 0)
-    page.paragraph("The tool came into contact with no guarded structure.");
+    page.paragraph("The tool came into contact with no structure while it was guarded.");
   else
-    page.paragraph("Contacts with guarded structures: " + std::to_string(count) +
+    page.paragraph("Contacts with structures while they were guarded: " + std::to_string(count) +
                    (std::size_t(count) > table.rows.size()
                         ? "; these are the first " + std::to_string(table.rows.size()) + "."
                         : "."));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/recording/felt_words.h"
@@ -30,11 +31,34 @@ Ticks::Ticks(const Recording& recording, const haptics::Watch& watch, const hapt
                      Tool{haptics::ShellTree{scene.tool.shell.points}, scene.tool.shell.tip});
 }
 
+haptics::Expected<void> Ticks::readGuards(const Recording& recording) {
+  for (const RecordedEvent& event : recording.events()) {
+    if (event.kind != kFeltEvent) continue;
+    const auto felt = feltAsSaid(event.text, watch_);
+    if (!felt) return tl::unexpected(felt.error());
+    Guards guards{.from_ns = event.value ? std::numeric_limits<std::int64_t>::min() : event.time_ns,
+                  .guarded = {}};
+    for (const auto& watched : felt->structures)
+      guards.guarded.push_back(watched.feel.kind == haptics::Feel::Kind::Guarded);
+    guards_.push_back(std::move(guards));
+  }
+  return {};
+}
+
+std::vector<bool> Ticks::everGuarded() const {
+  std::vector<bool> guarded(watch_.structures.size());
+  for (const Guards& guards : guards_)
+    for (std::size_t n = 0; n < guarded.size(); ++n) guarded[n] = guarded[n] || guards.guarded[n];
+  return guarded;
+}
+
 Tick Ticks::of(const RecordedStep& recorded) {
   const haptics::Step& step = recorded.step;
   Tick tick{.time_ns = step.time_ns, .scene = step.scene, .force = step.sent_W.force.norm()};
   tick.structures = {};
-  for (std::size_t n = 0; n < watch_.structures.size(); ++n) tick.structures.push({});
+  while (guard_ < guards_.size() && guards_[guard_].from_ns <= step.time_ns) ++guard_;
+  for (std::size_t n = 0; n < watch_.structures.size(); ++n)
+    tick.structures.push({.guarded = guard_ > 0 && guards_[guard_ - 1].guarded[n]});
   const auto tool = tools_.find(step.scene);
   tick.known = tool != tools_.end() && step.X_WP.matrix().allFinite() && std::isfinite(tick.force);
   if (!tick.known) return tick;
@@ -83,27 +107,20 @@ haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch&
                                      const std::function<bool(double)>& goes_on) {
   const std::size_t count = watch.structures.size();
   const Curve empty{recording.begin(), recording.end()};
-  Session session{.guarded = std::vector<bool>(count),
-                  .force = empty,
-                  .nearest = std::vector<Curve>(count, empty)};
+  Session session{.guarded = {}, .force = empty, .nearest = std::vector<Curve>(count, empty)};
   for (const RecordedScene& scene : recording.scenes())
     if (liesLike(scene.volume, scan) &&
         std::ranges::find(session.tools, scene.tool.name) == session.tools.end())
       session.tools.push_back(scene.tool.name);
   for (const haptics::ProxyStart& start : recording.starts()) session.rate = start.rate.hz;
-  for (const RecordedEvent& event : recording.events()) {
-    if (event.kind != kFeltEvent) continue;
-    const auto felt = feltAsSaid(event.text, watch);
-    if (!felt) return tl::unexpected(felt.error());
-    for (std::size_t n = 0; n < count; ++n)
-      if (felt->structures[n].feel.kind == haptics::Feel::Kind::Guarded) session.guarded[n] = true;
-  }
 
   std::vector<Tally::Structure> structures;
   for (std::size_t n = 0; n < count; ++n)
     structures.push_back({margins[n], watch.structures[n].distances.told()});
   Tally tally{std::move(structures)};
   Ticks ticks{recording, watch, scan};
+  if (auto read = ticks.readGuards(recording); !read) return tl::unexpected(read.error());
+  session.guarded = ticks.everGuarded();
   const double span = std::max(recording.end() - recording.begin(), 1e-9);
   bool cancelled = false;
   std::int64_t until_told = 0;

@@ -21,7 +21,12 @@ class Ticks {
  public:
   /// Steps over a volume that does not lie like `scan` are not known. The watch must outlive it.
   Ticks(const Recording& recording, const haptics::Watch& watch, const haptics::Volume& scan);
+  /// Refuses ("no-structures") structures that were felt and that the watch lacks.
+  haptics::Expected<void> readGuards(const Recording& recording);
+  /// Of steps in order of time.
   Tick of(const RecordedStep& recorded);
+  /// Whether each structure is guarded at some time.
+  std::vector<bool> everGuarded() const;
 
   // Distances that the recording has, against those to the watch.
   std::int64_t compared = 0;
@@ -32,8 +37,15 @@ class Ticks {
     haptics::ShellTree tree;
     haptics::Vec3 tip;
   };
+  /// From a time on [ns], which structures are guarded.
+  struct Guards {
+    std::int64_t from_ns = 0;
+    std::vector<bool> guarded;
+  };
   const haptics::Watch& watch_;
-  double half_voxel_;                    ///< m
+  double half_voxel_;  ///< m
+  std::vector<Guards> guards_;
+  std::size_t guard_ = 0;                ///< how many of them have begun
   std::map<std::uint32_t, Tool> tools_;  ///< by scene
 };
 

@@ -32,7 +32,7 @@ struct DistanceMap {
 
   /// m, the greatest distance that is told of a tool: at less than `most`, the place of a part of
   /// it that is at `most` says how far its other parts are at least.
-  double told() const HAPTICS_RT { return most * (2.0 / 3.0); }
+  double told() const HAPTICS_RT { return 2.0 * most / 3.0; }
 
   /// The distance of a place in W [m], trilinear between the samples; `most` beyond them.
   double at(const Vec3& p_W) const HAPTICS_RT { return atIndex(grid.indexOf(p_W)); }

@@ -372,6 +372,7 @@ check(worst <= error[NERVE] + 1e-6, f"the nerve is {1e3 * worst} mm off")
 of = {s["number"]: s for s in report["sessions"][0]["structures"]}
 check(of[8]["guarded"] and not of[7]["guarded"], "the canal was guarded")
 check(of[8]["encounters"] >= 1 and of[8]["nearest_mm"] < -2.0, f"the needle was in the canal: {of[8]}")
+check(of[8]["injuries"] == of[8]["encounters"] and of[7]["injuries"] == 0, "contacts while it was guarded are injuries")
 check(report["sessions"][0]["contacts"] >= 3, "the needle touched two walls and the bone")
 for session, compared in zip(report["sessions"], (4 * len(first.ns), 0)):
     check(session["recorded_distances"] == {"compared": compared, "differing": 0}, "recorded distances")
@@ -399,9 +400,12 @@ call(*touch, "--tool", "needle", "--hand", FOLDER / "hand.csv", "--seconds", 6, 
 said = call("report", FOLDER / "c.palpate", "--labels", labels, "--watch", f"{NERVE},6,7,8",
             "--margin", "7=12.5", "--margin", "7=3", "--out", FOLDER / "c.csv")
 for one in said["sessions"][0]["structures"]:
-    one.pop("guarded")
-    then = dict(of[one["number"]])
-    then.pop("guarded")
+    then = json.loads(json.dumps(of[one["number"]]))
+    for said in (one, then):
+        for key in ("guarded", "injuries"):
+            said.pop(key)
+        for moment in said["moments"]:
+            moment.pop("guarded")
     check(one == then, f"watched or not: {one} and {then}")
 
 # the same figures in the table
@@ -411,6 +415,9 @@ with open(out / "report.csv", newline="") as file:
         if row["structure"]:
             said = next(s for s in said["structures"] if s["number"] == int(row["structure"]))
             check((row["error_mm"] != "") == (row["unit"] == "mm"), f"error of {row}")
+            if row["unit"] == "mm":
+                twice = 2.0 if float(row["value"]) < 0.0 else 1.0
+                check(near(float(row["error_mm"]), twice * 1e3 * error[int(row["structure"])], 1e-9), f"error of {row}")
         if row["figure"] == "within_s":
             value = next(w["within_s"] for w in said["within"] if w["margin_mm"] == float(row["margin_mm"]))
         else:

@@ -177,15 +177,16 @@ void ReportController::showMoments(const std::filesystem::path& recording, const
                       figures.nearest.value <= 0.0
                           ? tr("Farthest inside %1: %2 mm").arg(name, mm(-figures.nearest.value))
                           : tr("Nearest to %1: %2 mm").arg(name, mm(figures.nearest.value))});
-    if (!made.session.guarded[n]) continue;
     for (const report::Encounter& encounter :
-         std::span{figures.encounters}.first(std::min(kMostMoments, figures.encounters.size())))
+         std::span{figures.encounters}.first(std::min(kMostMoments, figures.encounters.size()))) {
+      if (!encounter.guarded) continue;
       moments.append(
           {encounter.from,
            encounter.nearest <= 0.0
                ? tr("Inside %1, which was guarded: %2 mm").arg(name, mm(-encounter.nearest))
                : tr("Contact with %1, which was guarded: %2 N")
                      .arg(name, QLocale().toString(encounter.push, 'f', 1))});
+    }
   }
   std::ranges::stable_sort(moments, {}, &ui::ReportMoment::time);
   if (moments_) moments_->close();

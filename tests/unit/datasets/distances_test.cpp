@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "datasets/labels/distances.h"
+#include "tests/support/made.h"
 
 namespace datasets {
 namespace {
@@ -82,7 +83,9 @@ TEST(Distances, AreThoseOfBallsCylindersAndPlanes) {
   std::mt19937 random{5};
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> shift(-0.5, 0.5);
-  for (int n = 0; n < 60; ++n) {
+  const double half = 0.5 * grid.spacing.maxCoeff();
+  double worst = 0.0;
+  for (int n = 0; n < made::trials(60); ++n) {
     const Vec3 centre = centreOf(grid) + 1e-3 * Vec3(shift(random), shift(random), shift(random));
     Vec3 axis(normal(random), normal(random), normal(random));
     if (n % 6 == 5) axis = grid.direction.col(n % 3);
@@ -106,14 +109,14 @@ TEST(Distances, AreThoseOfBallsCylindersAndPlanes) {
     // what is beyond the grid does not belong to it, so cylinders and planes end there
     const double from = n % 3 == 0 ? 0.0 : 0.35;
     const Errors found = errorsOf(map, grid, truth, random, from, 1.0 - from);
-    const double half = 0.5 * grid.spacing.maxCoeff();
     EXPECT_LE(found.outside, half) << n;
     EXPECT_LE(found.centre, map.error) << n;
     EXPECT_LE(found.inside, 2.0 * half) << n;
-    EXPECT_GT(found.outside, 0.1 * half) << n;  // it was looked at
+    worst = std::max(worst, found.outside);
     EXPECT_LE(half, map.error);
     EXPECT_LT(map.steepest, 1.75);
   }
+  EXPECT_GT(worst, 0.5 * half);  // they were looked at
 }
 
 TEST(Distances, AreThoseToTheNearestMidpointAtEachVoxel) {

@@ -178,6 +178,26 @@ TEST(Figures, OfAStructure) {
   EXPECT_EQ(of.encounters[0].push, of.largest_push.value);
 }
 
+TEST(Figures, AContactIsAnInjuryWhileTheStructureIsGuarded) {
+  std::vector<Tick> ticks;
+  for (int n = 0; n <= 100; ++n)
+    ticks.push_back(tickNear(n, {.tip = -0.001F,
+                                 .nearest = -0.001F,
+                                 .touched = true,
+                                 .push = n < 60 ? 1.0 : 5.0,
+                                 .guarded = n >= 20 && n < 60}));
+  const FiguresOf of = figuresOf(ticks, {{{}, 0.020}}).structures.at(0);
+  EXPECT_EQ(of.encounter_count, 3);
+  EXPECT_EQ(of.injury_count, 1);
+  ASSERT_EQ(of.encounters.size(), 3U);
+  EXPECT_FALSE(of.encounters[0].guarded);
+  EXPECT_TRUE(of.encounters[1].guarded);
+  EXPECT_EQ(of.encounters[1].from, 0.020);
+  EXPECT_EQ(of.encounters[1].to, 0.059);
+  EXPECT_EQ(of.encounters[1].push, 1.0);
+  EXPECT_FALSE(of.encounters[2].guarded);
+}
+
 TEST(Figures, TheNearestThatIsNotToldHasNoTime) {
   std::vector<Tick> ticks;
   for (int n = 0; n < 50; ++n) ticks.push_back(tickNear(n, {.tip = 0.020F, .nearest = 0.020F}));
