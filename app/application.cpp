@@ -337,6 +337,8 @@ void Application::Parts::wireOpening() {
   connect(&structures, &StructuresController::nearChanged, &window.touch(),
           &ui::TouchState::showNear);
   connect(&window, &ui::MainWindow::dropped, &structures, &StructuresController::sort);
+  connect(&window.menus(), &ui::Menus::openWanted, &structures,
+          [this](const QString& path) { structures.sort({path}); });
   connect(&window.menus(), &ui::Menus::structuresTried, this, [this] {
     structures.awaitPhantom(kPhantomOfStructures);
     opening.load({.phantom = kPhantomOfStructures}, Application::tr("Making the phantom"));

@@ -23,6 +23,7 @@
 #include "datasets/readers/files/c_locale.h"
 #include "datasets/readers/files/header_words.h"
 #include "datasets/readers/files/refusal.h"
+#include "datasets/readers/nrrd/header.h"
 #include "datasets/readers/volume_header.h"
 #include "datasets/readers/volume_reader.h"
 
@@ -73,7 +74,7 @@ bool isSame(const haptics::Grid& one, const haptics::Grid& other) {
 /// Adds what a file of whole volumes marks.
 Expected<void> addVolumes(LabelMap& map, const fs::path& path, const haptics::Volume& scan,
                           const LabelReading& reading, const ReadProgress& progress) {
-  const auto survey = datasets::survey(path, progress.part(0.0, 0.02));
+  const auto survey = datasets::survey(path, progress.part(0.0, 0.02), true);
   if (!survey) return tl::unexpected(survey.error());
   const auto segments = segmentsOf(path);
   if (!segments) return tl::unexpected(segments.error());
@@ -165,10 +166,11 @@ Expected<LabelMap> readAny(const fs::path& path, const haptics::Volume& scan,
 
 }  // namespace
 
-bool isDicomStructures(const fs::path& path) {
+bool isStructures(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return false;
   const Beginning beginning(path);
+  if (holdsSegments(beginning)) return true;
   if (!beginning.is_open || !looksLikeDicom(beginning)) return false;
   try {
     const CLocale numbers_with_points;

@@ -24,8 +24,9 @@ struct LabelReading {
   bool agreed = false;
 };
 
-/// Whether a file is a DICOM segmentation or structure set.
-bool isDicomStructures(const std::filesystem::path& path);
+/// Whether a file says that it holds structures: a .seg.nrrd, or a DICOM segmentation or structure
+/// set.
+bool isStructures(const std::filesystem::path& path);
 
 /// Reads the structures of a scan: 3D Slicer's .seg.nrrd with names, colours and layers; any NRRD,
 /// MetaImage or NIfTI file of whole numbers; a DICOM segmentation (addDicomSegments()) or structure

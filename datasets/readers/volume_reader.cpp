@@ -20,6 +20,7 @@
 #include "datasets/readers/files/parallel.h"
 #include "datasets/readers/files/refusal.h"
 #include "datasets/readers/found.h"
+#include "datasets/readers/nrrd/header.h"
 #include "datasets/readers/volume_file.h"
 
 namespace datasets {
@@ -229,14 +230,20 @@ bool isArchiveOfThatName(const fs::path& path, const VolumeFormat& format) {
   return !format.header(path) && looksLikeArchive(path);
 }
 
+/// The refusal of structures without a scan.
+tl::unexpected<haptics::Error> holdsNoScan(const fs::path& path) {
+  return unsupported("no-pixels", {"dicom-structures", {quoted(path)}});
+}
+
 /// The refusal of a folder or an archive without a scan.
 tl::unexpected<haptics::Error> noScanIn(const Survey& found, const fs::path& path) {
   if (found.structures.empty())
     return unsupported("unreadable", {"folder-no-scan", {quoted(path)}});
-  return unsupported("no-pixels", {"dicom-structures", {quoted(path)}});
+  return holdsNoScan(path);
 }
 
-Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
+Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress,
+                           bool layers = false) {
   std::error_code error;
   Survey survey;
   if (isForbidden(path))
@@ -255,6 +262,8 @@ Expected<Survey> surveyAny(const fs::path& path, const ReadProgress& progress) {
     survey = std::move(*found);
   } else if (!fs::is_regular_file(path, error)) {
     return notFound(path);
+  } else if (!layers && holdsSegments(beginning)) {
+    return holdsNoScan(path);
   } else if (format != nullptr && !isArchiveOfThatName(path, *format)) {
     survey.series = verdictsOf(path, *format);
     survey.several = survey.series.size() > 1;
@@ -324,8 +333,8 @@ Expected<haptics::Volume> readAny(const fs::path& path, const Reading& reading,
 
 }  // namespace
 
-Expected<Survey> survey(const fs::path& path, const ReadProgress& progress) {
-  return guarded<Survey>(path, [&] { return surveyAny(path, progress); });
+Expected<Survey> survey(const fs::path& path, const ReadProgress& progress, bool layers) {
+  return guarded<Survey>(path, [&] { return surveyAny(path, progress, layers); });
 }
 
 Expected<haptics::Volume> readVolume(const SeriesVerdict& chosen, const Reading& reading,

@@ -11,9 +11,10 @@
 namespace datasets {
 
 /// Lists the series at a path (a folder with all folders in it, an archive, or one file), with a
-/// verdict for each. It reads headers only.
+/// verdict for each. It reads headers only. A file of segments is refused, unless `layers`: then it
+/// lists them, as the volumes that they are stored in.
 haptics::Expected<Survey> survey(const std::filesystem::path& path,
-                                 const ReadProgress& progress = {});
+                                 const ReadProgress& progress = {}, bool layers = false);
 
 /// Reads one entry of a survey. Only an evenly spaced, right-angled stack of scalars is accepted;
 /// the error names the reason. `reading` can ask to correct a correctable stack, or to read the

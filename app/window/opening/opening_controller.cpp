@@ -54,8 +54,6 @@ OpeningController::OpeningController(ui::MainWindow& window, SharedState& shared
   for (const std::string& name : datasets::phantomNames())
     phantoms.append({QString::fromStdString(name), phantomTitle(name)});
   window.menus().setPhantoms(phantoms);
-  connect(&window.menus(), &ui::Menus::openWanted, this,
-          [this](const QString& path) { open(path); });
   connect(&window, &ui::MainWindow::closing, &choice_, &SeriesChoice::close);
   connect(&window.menus(), &ui::Menus::phantomWanted, this, [this](const QString& name) {
     load({.phantom = name.toStdString()}, tr("Making the phantom"));

@@ -32,10 +32,8 @@ constexpr std::int64_t kAllTriangles = 600'000, kLeastTriangles = 4'000, kMostTr
 ui::OpenedAs kindOf(const std::filesystem::path& path, const haptics::Volume& scan,
                     const std::filesystem::path& place) {
   if (path == place) return ui::OpenedAs::Scan;
-  if (!datasets::isVolumeFile(path))
-    return datasets::isDicomStructures(path) ? ui::OpenedAs::Structures : ui::OpenedAs::Scan;
-  const auto segments = datasets::segmentsOf(path);
-  if (segments && !segments->empty()) return ui::OpenedAs::Structures;
+  if (datasets::isStructures(path)) return ui::OpenedAs::Structures;
+  if (!datasets::isVolumeFile(path)) return ui::OpenedAs::Scan;
   const auto survey = datasets::survey(path);
   const auto isLike = [&](const datasets::SeriesVerdict& series) {
     return series.dims == scan.grid.dims &&

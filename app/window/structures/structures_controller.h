@@ -57,8 +57,8 @@ class StructuresController : public QObject {
   void openFound(const datasets::StructuresFound& found);
   /// Opens the structures of this phantom once it is on view: the next scene.
   void awaitPhantom(std::string phantom) { awaited_ = std::move(phantom); }
-  /// What was dropped on the window: structures of the scan on view are opened; for all else,
-  /// scanWanted() comes, at once or after a look at the file.
+  /// What was opened by the menu, or dropped on the window: structures of the scan on view are
+  /// opened; for all else, scanWanted() comes, at once or after a look at the file.
   void sort(const QStringList& paths);
   /// Call it when a scene is on view.
   void showScene();

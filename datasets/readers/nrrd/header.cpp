@@ -430,6 +430,12 @@ std::int64_t NrrdHeader::voxelsPerFile() const {
 
 bool looksLikeNrrd(const Beginning& file) { return file.bytes.starts_with("NRRD"); }
 
+bool holdsSegments(const Beginning& file) {
+  if (!looksLikeNrrd(file)) return false;
+  const auto text = readNrrdText(file.path);
+  return text && (text->keys.contains("Segment0_ID") || text->keys.contains("Segment0_Name"));
+}
+
 Expected<NrrdHeader> readNrrdHeader(const fs::path& path) {
   const auto text = readNrrdText(path);
   if (!text) return tl::unexpected(text.error());

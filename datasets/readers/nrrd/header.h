@@ -41,6 +41,9 @@ struct NrrdHeader {
 /// Whether a file begins like an NRRD.
 bool looksLikeNrrd(const Beginning& file);
 
+/// Whether a file is a .seg.nrrd of 3D Slicer, by the segments that its header describes.
+bool holdsSegments(const Beginning& file);
+
 /// Reads the header's text and checks it against the files. The header must have three axes of
 /// space, or a fourth that counts volumes, one value per voxel and a type that can be shown
 /// ("not-scalar", "unsupported-type"). A number that places the voxels must be one as a whole

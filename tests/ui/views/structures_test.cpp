@@ -37,6 +37,7 @@
 #include "ui/props/structure_shape.h"
 #include "ui/views/slice_readout.h"
 #include "ui/window/main_window.h"
+#include "ui/window/menus.h"
 #include "ui/window/messages.h"
 #include "ui/window/view_frame.h"
 #include "ui/window/views.h"
@@ -68,6 +69,20 @@ class Structures : public StructuresWindow {
     const QPointF place = view.projected(p_mm);
     EXPECT_NEAR(seen.x(), place.x(), 2.5) << view.readout().name.toStdString();
     EXPECT_NEAR(seen.y(), place.y(), 2.5) << view.readout().name.toStdString();
+  }
+  /// Answers the next question by a word on one of its buttons.
+  void answerNext(const QString& word) {
+    auto* timer = new QTimer(&window());
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, word] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      timer->stop();
+      for (QAbstractButton* button : box->buttons())
+        if (button->text().remove('&').contains(word)) return button->click();
+      ADD_FAILURE() << word.toStdString();
+      box->reject();
+    });
+    timer->start(10);
   }
   QImage lookFrom(ui::Side side) {
     views().volume().lookFrom(side);
@@ -346,25 +361,12 @@ TEST_F(Structures, ADropShowsThemAndAsksWhereTheFileDoesNotTell) {
   mirrored << -1, 0, 0, 0, 1, 0, 0, 0, 1;
   write<std::uint8_t>(path("plain.nrrd"), gridOf(kScanDims, kScanStep, mirrored), "uchar", "",
                       labelAt);
-  const auto answer = [&](const QString& word) {
-    auto* timer = new QTimer(&window());
-    QObject::connect(timer, &QTimer::timeout, timer, [timer, word] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (box == nullptr) return;
-      timer->stop();
-      for (QAbstractButton* button : box->buttons())
-        if (button->text().remove('&').contains(word)) return button->click();
-      ADD_FAILURE() << word.toStdString();
-      box->reject();
-    });
-    timer->start(10);
-  };
-  answer("structures");
+  answerNext("structures");
   emit window().dropped({path("plain.nrrd")});
   EXPECT_TRUE(waitFor([&] { return opened.count() == 2; }));
   EXPECT_EQ(list().item(0, 2)->text(), "Structure 1");
   EXPECT_EQ(scans.count(), 0);
-  answer("scan");
+  answerNext("scan");
   emit window().dropped({path("plain.nrrd")});
   EXPECT_TRUE(waitFor([&] { return scans.count() == 1; }));
   // another grid is another scan
@@ -374,6 +376,23 @@ TEST_F(Structures, ADropShowsThemAndAsksWhereTheFileDoesNotTell) {
   EXPECT_TRUE(waitFor([&] { return scans.count() == 2; }));
   emit window().dropped({path("scan.nrrd"), path("other.nrrd")});
   EXPECT_EQ(scans.count(), 3);
+}
+
+TEST_F(Structures, OpenFileDoesAsADrop) {
+  start("");
+  const auto scan = application_->shown()->volume();
+  QSignalSpy opened(&structures(), &app::StructuresController::opened);
+  emit window().menus().openWanted(path("a.seg.nrrd"));
+  EXPECT_TRUE(waitFor([&] { return opened.count() == 1; }));
+  EXPECT_EQ(list().rowCount(), 3);
+  haptics::Mat3 mirrored;
+  mirrored << -1, 0, 0, 0, 1, 0, 0, 0, 1;
+  write<std::uint8_t>(path("plain.nrrd"), gridOf(kScanDims, kScanStep, mirrored), "uchar", "",
+                      labelAt);
+  answerNext("structures");
+  emit window().menus().openWanted(path("plain.nrrd"));
+  EXPECT_TRUE(waitFor([&] { return opened.count() == 2; }));
+  EXPECT_EQ(application_->shown()->volume(), scan);
 }
 
 TEST_F(Structures, NamesGoToTheScreenAlone) {
