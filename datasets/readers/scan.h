@@ -99,7 +99,8 @@ struct SeriesVerdict {
   std::shared_ptr<const void> place;  ///< keeps the temporary folder of an archive
 };
 
-/// A DICOM object that marks parts of a scan (holdsStructures()).
+/// A file that marks parts of a scan: a DICOM object (holdsStructures()), or a .seg.nrrd
+/// (holdsSegments()).
 struct StructuresFound {
   enum class Kind { Segments, Contours };
   std::filesystem::path path;

@@ -182,6 +182,7 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
   struct File {
     Kind kind = Kind::Readable;
     const VolumeFormat* format = nullptr;  ///< null: not a file of whole volumes
+    bool holds_segments = false;           ///< and no scan
     std::vector<DicomFile> frames;
   };
   std::vector<File> files(paths->size());
@@ -195,6 +196,7 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
     if (file.kind != Kind::Readable) return true;
     const Beginning beginning((*paths)[i]);
     file.format = formatOf(beginning);
+    file.holds_segments = holdsSegments(beginning);
     if (file.format == nullptr && looksLikeDicom(beginning))
       file.frames = readDicomHeader(beginning).frames;
     return true;
@@ -205,10 +207,13 @@ Expected<Survey> surveyOf(const fs::path& folder, const ReadProgress& progress) 
     const fs::path& path = (*paths)[i];
     if (files[i].kind == Kind::Empty) ++closed[path.parent_path()].empty;
     if (files[i].kind == Kind::Forbidden) ++closed[path.parent_path()].forbidden;
-    if (files[i].format != nullptr) add(verdictsOf(path, *files[i].format), volumes);
+    if (files[i].holds_segments)
+      survey.structures.push_back({path, path.lexically_relative(folder).string()});
+    else if (files[i].format != nullptr)
+      add(verdictsOf(path, *files[i].format), volumes);
     std::ranges::move(files[i].frames, std::back_inserter(frames));
   }
-  survey.structures = takeStructures(frames, folder);
+  std::ranges::move(takeStructures(frames, folder), std::back_inserter(survey.structures));
   std::vector<DicomSeries> all = seriesAmong(std::move(frames));
   for (const DicomSeries& series : all)
     for (const DicomFile& file : series.files)

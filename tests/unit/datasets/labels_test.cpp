@@ -10,6 +10,7 @@
 
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/segments.h"
+#include "datasets/readers/volume_reader.h"
 #include "tests/support/sentence.h"
 #include "tests/support/turned_scan.h"
 #include "tests/unit/datasets/label_scans.h"
@@ -271,6 +272,36 @@ TEST(Labels, ATableThatIsNoneIsRefusedByItsLine) {
   EXPECT_TRUE(said(std::string(1'100'000, '#')).starts_with("too-large"));
   EXPECT_EQ(reasonOf(readLabels(labels, scanOn(smallGrid()), {}, {.table = workshop.folder()})),
             "unreadable");
+}
+
+TEST(Labels, ASegmentationIsNoScanAndIsFoundBesideOne) {
+  Workshop workshop;
+  const std::string segments =
+      segOf("Segment0_ID:=a\nSegment1_ID:=b\n", {marked({1}), marked({2})});
+  const auto alone = workshop.write("alone/a.seg.nrrd", segments);
+  for (const auto& path : {alone, alone.parent_path()}) {
+    const auto refused = survey(path);
+    ASSERT_FALSE(refused) << path;
+    EXPECT_EQ(refused.error().reason, "no-pixels");
+    EXPECT_NE(sentence(refused.error()).find("open the scan first"), std::string::npos);
+    EXPECT_FALSE(readVolume(path));
+  }
+  EXPECT_TRUE(isStructures(alone));
+  ASSERT_TRUE(survey(alone, {}, true));
+  EXPECT_EQ(survey(alone, {}, true)->series.size(), 2U);
+
+  const auto scan = workshop.write("both/scan.nrrd", segOf("", {marked({3})}));
+  workshop.write("both/below/a.seg.nrrd", segments);
+  EXPECT_FALSE(isStructures(scan));
+  const auto both = survey(scan.parent_path());
+  ASSERT_TRUE(both) << sentence(both.error());
+  EXPECT_EQ(both->series.size(), 1U);
+  ASSERT_EQ(both->structures.size(), 1U);
+  EXPECT_EQ(both->structures[0].name, "below/a.seg.nrrd");
+  EXPECT_EQ(both->structures[0].kind, StructuresFound::Kind::Segments);
+  const auto map = readLabels(both->structures[0].path, scanOn(smallGrid()));
+  ASSERT_TRUE(map) << sentence(map.error());
+  EXPECT_EQ(map->structures().size(), 2U);
 }
 
 TEST(Labels, DamagedOnesAreRefusedWithASentence) {
