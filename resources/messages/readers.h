@@ -451,7 +451,7 @@ inline constexpr Row kReaders[] = {
     {"labels-overlap-too-much",
      "The structures overlap in more than 255 ways; export them as several files.",
      "labels-too-many"},
-    {"labels-elsewhere", "What %1 marks lies beside the scan; open the scan that was segmented.",
+    {"labels-elsewhere", "What %1 marks lies outside the scan; open the scan that was segmented.",
      "labels-elsewhere"},
     {"labels-orientation",
      "The scan or %1 does not state its orientation, so the two cannot be put together; export "

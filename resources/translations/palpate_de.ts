@@ -1712,10 +1712,6 @@
         <translation>Die Strukturen überlappen sich auf mehr als 255 Arten; exportieren Sie sie als mehrere Dateien.</translation>
     </message>
     <message>
-        <source>What %1 marks lies beside the scan; open the scan that was segmented.</source>
-        <translation>Was %1 markiert, liegt neben der Aufnahme; öffnen Sie die Aufnahme, die segmentiert wurde.</translation>
-    </message>
-    <message>
         <source>The scan or %1 does not state its orientation, so the two cannot be put together; export both with their orientation.</source>
         <translation>Die Aufnahme oder %1 gibt ihre Lage nicht an, deshalb lassen sich die beiden nicht zusammenbringen; exportieren Sie beide mit ihrer Lage.</translation>
     </message>
@@ -1814,6 +1810,18 @@
     <message>
         <source>There is too little memory to feel a structure as solid or not there; close other programs.</source>
         <translation>Der Speicher reicht nicht, um eine Struktur als fest oder nicht da zu spüren; schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>What %1 marks lies outside the scan; open the scan that was segmented.</source>
+        <translation>Was %1 markiert, liegt außerhalb der Aufnahme; öffnen Sie die Aufnahme, die segmentiert wurde.</translation>
+    </message>
+    <message>
+        <source>%2 % of what %1 marks lies outside the scan; is it of this scan?</source>
+        <translation>%2 % dessen, was %1 markiert, liegt außerhalb der Aufnahme; gehört es zu dieser Aufnahme?</translation>
+    </message>
+    <message>
+        <source>The table of names beside the label map is not used: %1</source>
+        <translation>Die Tabelle der Namen neben der Segmentierung wird nicht verwendet: %1</translation>
     </message>
 </context>
 <context>

@@ -445,7 +445,7 @@ def lists_the_structures_of_label_maps():
     check(b"no structure 2" in none.stderr, f"structure 2: {none}")
     labels.write_bytes((head.format(900, 0, 0) + "\n").encode() + voxels)
     away = call("info", place / "v.nrrd", "--labels", labels, "--json", code=3)
-    check(b"beside the scan" in away.stderr and json.loads(away.stdout)["reasons"] == ["labels-elsewhere"],
+    check(b"outside the scan" in away.stderr and json.loads(away.stdout)["reasons"] == ["labels-elsewhere"],
           f"elsewhere: {away}")
     shutil.rmtree(place)
 
