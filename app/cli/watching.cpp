@@ -9,8 +9,10 @@
 
 #include "app/cli/interrupts.h"
 #include "app/cli/options.h"
+#include "app/cli/terminal.h"
 #include "datasets/labels/distances.h"
 #include "datasets/labels/label_file.h"
+#include "resources/messages/messages.h"
 
 namespace app::cli {
 
@@ -90,6 +92,7 @@ Expected<std::shared_ptr<const Watch>> watchOver(const WatchChoice& choice,
   if (choice.labels.empty()) return nullptr;
   const auto labels = datasets::readLabels(choice.labels, scan, {.cancel = &interruption()});
   if (!labels) return tl::unexpected(labels.error());
+  for (const haptics::Message& note : labels->notes()) tell(resources::sentence(note));
   const auto count = int(labels->structures().size());
   std::set<int> numbers(choice.structures.begin(), choice.structures.end());
   if (numbers.empty())

@@ -71,6 +71,22 @@ bool isSame(const haptics::Grid& one, const haptics::Grid& other) {
   return true;
 }
 
+using Table = Expected<std::map<std::int64_t, NamedLabel>>;
+
+/// The table that has the name of a label map, "labels.ctbl" of "labels.nii.gz". One that cannot be
+/// read is noted, unless it may be any text.
+Table tableBeside(LabelMap& map, fs::path path) {
+  if (lowered(path.extension().string()) == ".gz") path.replace_extension();
+  for (const std::string ending : {".ctbl", ".label", ".txt"}) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path.replace_extension(ending), ignored)) continue;
+    auto table = readLabelTable(path);
+    if (table) return table;
+    if (ending != ".txt") map.note({"labels-table-unused", {table.error().message}});
+  }
+  return {};
+}
+
 /// Adds what a file of whole volumes marks.
 Expected<void> addVolumes(LabelMap& map, const fs::path& path, const haptics::Volume& scan,
                           const LabelReading& reading, const ReadProgress& progress) {
@@ -78,12 +94,10 @@ Expected<void> addVolumes(LabelMap& map, const fs::path& path, const haptics::Vo
   if (!survey) return tl::unexpected(survey.error());
   const auto segments = segmentsOf(path);
   if (!segments) return tl::unexpected(segments.error());
-  std::map<std::int64_t, NamedLabel> table;
-  if (!reading.table.empty()) {
-    auto read = readLabelTable(reading.table);
-    if (!read) return tl::unexpected(read.error());
-    table = std::move(*read);
-  }
+  const auto table = !reading.table.empty() ? readLabelTable(reading.table)
+                     : segments->empty()    ? tableBeside(map, path)
+                                            : Table();
+  if (!table) return tl::unexpected(table.error());
   // the segments of each layer, by label
   std::map<std::int64_t, std::map<std::int64_t, std::uint8_t>> named;
   for (std::size_t n = 0; n < segments->size(); ++n) {
@@ -113,7 +127,7 @@ Expected<void> addVolumes(LabelMap& map, const fs::path& path, const haptics::Vo
       if (map.structures().size() == kMostStructures)
         return unsupported("labels-too-many", {"labels-too-many", {quoted(path)}});
       Structure structure{.colour = colourFarFromOthers(map.structures().size())};
-      if (const auto known = table.find(label); known != table.end()) {
+      if (const auto known = table->find(label); known != table->end()) {
         structure.name = known->second.name;
         structure.colour = known->second.colour;
       }

@@ -13,8 +13,9 @@ namespace datasets {
 
 /// What a file does not say itself.
 struct LabelReading {
-  /// Of the numbers of a label map: see readLabelTable(). It names what the file itself does not;
-  /// empty: there is none.
+  /// Of the numbers of a label map: see readLabelTable(). It names what the file itself does not.
+  /// Empty: if the file names nothing, the table that lies beside it with its name, as .ctbl,
+  /// .label or .txt.
   std::filesystem::path table = {};
   /// Of a surface whose file does not state it.
   std::optional<SurfaceSpace> space = {};

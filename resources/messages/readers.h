@@ -453,6 +453,8 @@ inline constexpr Row kReaders[] = {
      "labels-too-many"},
     {"labels-elsewhere", "What %1 marks lies outside the scan; open the scan that was segmented.",
      "labels-elsewhere"},
+    {"labels-outside", "%2 % of what %1 marks lies outside the scan; is it of this scan?"},
+    {"labels-table-unused", "The table of names beside the label map is not used: %1"},
     {"labels-orientation",
      "The scan or %1 does not state its orientation, so the two cannot be put together; export "
      "both "

@@ -298,7 +298,7 @@ void StructuresController::read(
         if (!map) return tl::unexpected(map.error());
         auto seen = std::make_shared<const ui::StructureMap>(seenMapOf(*map));
         auto boxes = ui::boxesOf(*seen, map->structures().size());
-        return Read{map->structures(), std::move(seen), std::move(boxes),
+        return Read{map->structures(), map->notes(), std::move(seen), std::move(boxes),
                     std::make_shared<const datasets::LabelMap>(std::move(*map))};
       },
       [this, answer = std::move(answer)](haptics::Expected<Read> read) {
@@ -338,6 +338,9 @@ void StructuresController::take(Read read) {
   log::write(log::Level::Info, "structures-opened", {{"structures", shown_.looks.size()}});
   show();
   panels_.reveal(panel_);
+  QStringList notes;
+  for (const haptics::Message& note : read.notes) notes << sentenceOf(note);
+  if (!notes.isEmpty()) messages_.showMessage(notes.join(' '));
   makeShapes(std::move(read.boxes));
 }
 

@@ -92,6 +92,7 @@ class StructuresController : public QObject {
   /// What is read and made of a file.
   struct Read {
     std::vector<datasets::Structure> structures;
+    std::vector<haptics::Message> notes;
     std::shared_ptr<const ui::StructureMap> map;
     std::vector<haptics::VoxelBox> boxes;
     std::shared_ptr<const datasets::LabelMap> labels;

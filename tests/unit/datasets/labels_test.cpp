@@ -304,6 +304,51 @@ TEST(Labels, ASegmentationIsNoScanAndIsFoundBesideOne) {
   EXPECT_EQ(map->structures().size(), 2U);
 }
 
+TEST(Labels, ATableOfTheirNameIsUsedByItself) {
+  const std::string nerve = "3 nerve 255 51 0 255\n", canal = "3 canal 0 0 255 255\n";
+  Nifti nifti;
+  nifti.dim = {3, 4, 3, 2, 1, 1, 1, 1};
+  nifti.quaternion_code = 1;
+  nifti.quaternion = {0, 0, 1};
+  nifti.voxels = std::string(48, '\0');
+  nifti.voxels[8] = 3;
+  struct Said {
+    std::string name;
+    std::size_t notes;
+    bool operator==(const Said&) const = default;
+  };
+  using Files = std::vector<std::pair<std::string, std::string>>;
+  const auto said = [&](const std::string& labels, const Files& beside, const char* table = "") {
+    Workshop workshop;
+    for (const auto& [name, text] : beside) workshop.write(name, text);
+    const auto map = readLabels(
+        workshop.write(labels, labels.ends_with(".nrrd")
+                                   ? segOf(labels.find(".seg") == labels.npos
+                                               ? ""
+                                               : "Segment0_Name:=sinus\nSegment0_LabelValue:=3\n",
+                                           {marked({4}, 3)})
+                                   : bytesOf(nifti)),
+        scanOn(smallGrid()), {}, {.table = *table == '\0' ? "" : workshop.folder() / table});
+    if (!map) return Said{sentence(map.error()), 99};
+    for (const haptics::Message& note : map->notes())
+      EXPECT_NE(sentence(note).find("Line 1 of \"l.ctbl\""), std::string::npos) << sentence(note);
+    return Said{map->structures().at(0).name, map->notes().size()};
+  };
+  EXPECT_EQ(said("l.nrrd", {{"l.ctbl", nerve}}), (Said{"nerve", 0}));
+  EXPECT_EQ(said("l.nii", {{"l.label", "3 255 51 0 1 1 1 \"nerve\"\n"}}), (Said{"nerve", 0}));
+  EXPECT_EQ(said("l.nrrd", {{"l.txt", nerve}}), (Said{"nerve", 0}));
+  EXPECT_EQ(said("l.nrrd", {{"l.ctbl", canal}, {"l.txt", nerve}}), (Said{"canal", 0}));
+  // what is of another file, what was asked for, and what the file says itself
+  EXPECT_EQ(said("l.nrrd", {{"k.ctbl", nerve}}), (Said{"", 0}));
+  EXPECT_EQ(said("l.nrrd", {{"k.ctbl", nerve}, {"l.ctbl", canal}}, "k.ctbl"), (Said{"nerve", 0}));
+  EXPECT_EQ(said("l.seg.nrrd", {{"l.seg.ctbl", nerve}, {"l.ctbl", nerve}}), (Said{"sinus", 0}));
+  // one that cannot be read prevents nothing; any text may be called .txt
+  EXPECT_EQ(said("l.nrrd", {{"l.ctbl", "none\n"}}), (Said{"", 1}));
+  EXPECT_EQ(said("l.nrrd", {{"l.txt", "seen on Monday\n"}}), (Said{"", 0}));
+  EXPECT_EQ(said("l.nrrd", {{"l.ctbl", "none\n"}, {"l.label", nerve}}), (Said{"nerve", 1}));
+  EXPECT_EQ(said("l.nrrd", {{"l.ctbl/in", ""}}), (Said{"", 0}));
+}
+
 TEST(Labels, DamagedOnesAreRefusedWithASentence) {
   const std::string keys =
       "Segment0_ID:=Segment_1\nSegment0_Name:=nerve\nSegment0_Color:=1 0.5 0.25\n"
