@@ -139,6 +139,8 @@ ordered_json listed(const datasets::LabelMap& labels, bool names) {
     one["colour"] = structure.colour;
     one["voxels"] = structure.voxels;
     one["volume_mm3"] = double(structure.voxels) * voxel_mm3;
+    if (structure.outside > 0)
+      one["outside"] = double(structure.outside) / double(structure.marked);
     if (structure.voxels > 0) {
       one["box"] = {{"first", extent.first}, {"end", extent.end}};
       one["centre_mm"] =

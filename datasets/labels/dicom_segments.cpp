@@ -176,17 +176,19 @@ Expected<void> markFrame(LabelMap& map, const Planes& planes, std::size_t frame,
     const auto at = [&](std::int64_t column, std::int64_t row) {
       return structureOf(std::int64_t(values[row * plane.columns + column]));
     };
+    const Vec3 steps_mm(plane.column_step_mm, plane.row_step_mm, planes.step_mm);
     // what is marked: columns and rows
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (std::int64_t row = 0; row < plane.rows; ++row)
       for (std::int64_t column = 0; column < plane.columns; ++column)
-        if (at(column, row) >= 0) {
+        if (const int structure = at(column, row); structure >= 0) {
           const Vec3 pixel(double(column), double(row), 0.0);
+          map.count(1e-3 * (plane.position_mm + planes.direction * steps_mm.cwiseProduct(pixel)),
+                    std::uint8_t(structure));
           low = low.cwiseMin(pixel);
           high = high.cwiseMax(pixel);
         }
     if (low.x() > high.x()) return {};
-    const Vec3 steps_mm(plane.column_step_mm, plane.row_step_mm, planes.step_mm);
     std::vector<Vec3> corners;
     for (const double i : {low.x() - 0.5, high.x() + 0.5})
       for (const double j : {low.y() - 0.5, high.y() + 0.5})

@@ -37,7 +37,7 @@ bool isStructures(const std::filesystem::path& path);
 /// format, and values that are not whole numbers of at most seven digits ("not-labels"), a segment
 /// in a layer that is not there ("bad-header"), no label at all ("labels-none"), more than 255
 /// structures ("labels-too-many"), a file or scan whose orientation is not known unless both have
-/// the same voxels ("orientation-unknown"), labels that lie beside the scan ("labels-elsewhere"),
+/// the same voxels ("orientation-unknown"), labels that lie outside the scan ("labels-elsewhere"),
 /// and a DICOM object that is not of this scan. Any thread; it reads one layer at a time.
 haptics::Expected<LabelMap> readLabels(const std::filesystem::path& path,
                                        const haptics::Volume& scan,

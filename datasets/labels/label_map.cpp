@@ -15,6 +15,17 @@ using haptics::Expected;
 using haptics::Mat3;
 using haptics::Vec3;
 
+namespace {
+
+/// Whether the nearest voxel of an index is one of the grid's.
+bool contains(const haptics::Grid& grid, const Vec3& index) {
+  const Vec3 size(double(grid.dims[0]), double(grid.dims[1]), double(grid.dims[2]));
+  const Vec3 nearest = index.array().round();
+  return (nearest.array() >= 0.0).all() && (nearest.array() < size.array()).all();
+}
+
+}  // namespace
+
 std::array<double, 3> colourFarFromOthers(std::size_t number) {
   constexpr double kGolden = 0.618033988749895, kPale = 0.35, kBright = 0.95;
   const double hue = 6.0 * std::fmod(0.02 + kGolden * double(number), 1.0);
@@ -66,6 +77,11 @@ Expected<void> LabelMap::mark(std::int64_t voxel, std::uint8_t number) {
   return {};
 }
 
+void LabelMap::count(const Vec3& centre_W, std::uint8_t number) {
+  ++structures_[number].marked;
+  if (!contains(grid_, grid_.indexOf(centre_W))) ++structures_[number].outside;
+}
+
 haptics::VoxelBox LabelMap::boxAround(std::span<const Vec3> places_W) const {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Vec3& p_W : places_W) {
@@ -98,10 +114,25 @@ Expected<void> LabelMap::add(const haptics::Volume& labels,
       for (const double k : {0.0, 1.0})
         corners.push_back(from.worldOf(size.cwiseProduct(Vec3{i, j, k}) - Vec3::Constant(0.5)));
   const haptics::VoxelBox box = boxAround(corners);
+  bool reaches_beyond = false;
+  for (const Vec3& corner_W : corners) {
+    // of the voxel in the corner, the centre
+    const Vec3 at = grid_.indexOf(
+        from.worldOf(from.indexOf(corner_W).cwiseMax(0.0).cwiseMin(size - Vec3::Ones())));
+    reaches_beyond = reaches_beyond || !contains(grid_, at);
+  }
   return haptics::visitVoxels(
       labels.type, labels.voxels.get(), [&](const auto* voxels) -> Expected<void> {
         std::optional<std::int64_t> last_label;
         const std::uint8_t* last_number = nullptr;
+        const auto numberOf = [&](auto voxel) {
+          if (const auto label = std::int64_t(voxel); label != last_label) {
+            const auto known = numbers.find(label);
+            last_label = label;
+            last_number = known == numbers.end() ? nullptr : &known->second;
+          }
+          return last_number;
+        };
         for (std::int64_t k = box.first[2]; k < box.end[2]; ++k) {
           progress.advanced(double(k - box.first[2]) / double(box.end[2] - box.first[2]));
           if (progress.isCancelled()) return cancelled();
@@ -110,21 +141,25 @@ Expected<void> LabelMap::add(const haptics::Volume& labels,
             for (std::int64_t i = box.first[0]; i < box.end[0]; ++i) {
               const Vec3 at = (row + turn.col(0) * double(i)).array().round();
               if ((at.array() < 0.0).any() || (at.array() >= size.array()).any()) continue;
-              const auto label =
-                  std::int64_t(voxels[(std::int64_t(at.z()) * from.dims[1] + std::int64_t(at.y())) *
-                                          from.dims[0] +
-                                      std::int64_t(at.x())]);
-              if (label != last_label) {
-                const auto known = numbers.find(label);
-                last_label = label;
-                last_number = known == numbers.end() ? nullptr : &known->second;
-              }
-              if (last_number == nullptr) continue;
-              if (auto marked = mark((k * grid_.dims[1] + j) * grid_.dims[0] + i, *last_number);
-                  !marked)
+              const std::uint8_t* number =
+                  numberOf(voxels[(std::int64_t(at.z()) * from.dims[1] + std::int64_t(at.y())) *
+                                      from.dims[0] +
+                                  std::int64_t(at.x())]);
+              if (number == nullptr) continue;
+              if (auto marked = mark((k * grid_.dims[1] + j) * grid_.dims[0] + i, *number); !marked)
                 return marked;
             }
           }
+        }
+        if (!reaches_beyond) return {};
+        const auto* label = voxels;
+        for (std::int64_t k = 0; k < from.dims[2]; ++k) {
+          if (progress.isCancelled()) return cancelled();
+          for (std::int64_t j = 0; j < from.dims[1]; ++j)
+            for (std::int64_t i = 0; i < from.dims[0]; ++i, ++label) {
+              if (const std::uint8_t* number = numberOf(*label))
+                count(from.worldOf({double(i), double(j), double(k)}), *number);
+            }
         }
         return {};
       });

@@ -28,6 +28,9 @@ struct Structure {
   std::string name = {};                        ///< empty: the file states none
   std::array<double, 3> colour{1.0, 1.0, 1.0};  ///< red, green, blue, 0 to 1
   std::int64_t voxels = 0;                      ///< of the scan that belong to it
+  /// Voxels of the file that belong to it, and those of them whose centres lie outside the scan.
+  /// Not counted of contours, surfaces, and files that do not reach beyond the scan.
+  std::int64_t marked = 0, outside = 0;
 };
 
 /// A colour for a structure that has none, far from those of its neighbours in the list: the hue
@@ -66,6 +69,8 @@ class LabelMap {
   std::uint8_t add(Structure structure);
   /// Makes a voxel, by its place in codes(), one of a structure's. Refuses as above.
   haptics::Expected<void> mark(std::int64_t voxel, std::uint8_t number);
+  /// Counts a voxel that a file marks as a structure's.
+  void count(const haptics::Vec3& centre_W, std::uint8_t number);
   void note(haptics::Message sentence) { notes_.push_back(std::move(sentence)); }
   /// The voxels among which those at these places lie, and at most one more on each side.
   haptics::VoxelBox boxAround(std::span<const haptics::Vec3> places_W) const;

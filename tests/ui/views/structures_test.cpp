@@ -395,6 +395,20 @@ TEST_F(Structures, OpenFileDoesAsADrop) {
   EXPECT_EQ(application_->shown()->volume(), scan);
 }
 
+TEST_F(Structures, HalfOfWhichLiesOutsideTheScanSaySo) {
+  start("");
+  QSignalSpy opened(&structures(), &app::StructuresController::opened);
+  haptics::Grid away = gridOf({20, 20, 20}, 1e-3, haptics::Mat3::Identity());
+  const double edge = kScanStep * double(kScanDims[0]) / 2.0;
+  away.origin.x() += edge;  // its middle lies at the border
+  write<std::uint8_t>(path("away.nrrd"), away, "uchar", "",
+                      [](const Eigen::Vector3d&) { return 1; });
+  emit window().menus().structuresWanted(path("away.nrrd"));
+  EXPECT_TRUE(waitFor([&] { return opened.count() == 1; }));
+  EXPECT_TRUE(message().contains("50 % of what \"away.nrrd\" marks lies outside the scan"))
+      << message().toStdString();
+}
+
 TEST_F(Structures, NamesGoToTheScreenAlone) {
   start();
   views().setCross(kNerve);

@@ -118,6 +118,19 @@ TEST(DicomLabels, SegmentsOverlapAndKeepNamesAndColours) {
   }
 }
 
+TEST(DicomLabels, WhatLiesOutsideTheScanIsCounted) {
+  Workshop workshop;
+  const auto path = workshop.write("seg", bytesOf(smallObject()));
+  haptics::Grid grid = smallGrid();
+  EXPECT_EQ(readLabels(path, scanOn(grid))->structures()[0].outside, 0);
+  grid.origin.x() += 1e-3;  // the first column is lost
+  const auto map = readLabels(path, scanOn(grid));
+  ASSERT_TRUE(map) << sentence(map.error());
+  EXPECT_EQ(map->structures()[0].marked, 3);
+  EXPECT_EQ(map->structures()[0].outside, 1);
+  EXPECT_EQ(map->notes().size(), 1U);
+}
+
 TEST(DicomLabels, AFractionBelongsFromHalfOn) {
   Workshop workshop;
   SegmentObject object = smallObject();

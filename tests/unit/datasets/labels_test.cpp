@@ -349,6 +349,27 @@ TEST(Labels, ATableOfTheirNameIsUsedByItself) {
   EXPECT_EQ(said("l.nrrd", {{"l.ctbl/in", ""}}), (Said{"", 0}));
 }
 
+TEST(Labels, WhatLiesOutsideTheScanIsCountedAndNoted) {
+  Workshop workshop;
+  auto voxels = marked({0, 4, 8, 12, 16, 20});  // all of the first column
+  voxels[2] = voxels[6] = 2;
+  const auto path = workshop.write("l.nrrd", segOf("", {voxels}));
+  for (const auto& [shift_mm, outside] :
+       {std::pair{0.0, 0}, std::pair{0.4, 0}, std::pair{-0.4, 0}, std::pair{1.0, 6}}) {
+    Grid grid = smallGrid();
+    grid.origin.x() += 1e-3 * shift_mm;
+    const auto map = readLabels(path, scanOn(grid));
+    ASSERT_TRUE(map) << sentence(map.error());
+    EXPECT_EQ(map->structures()[0].outside, outside) << shift_mm;
+    EXPECT_EQ(map->structures()[1].outside, 0) << shift_mm;
+    std::string said;
+    for (const haptics::Message& note : map->notes()) said += sentence(note);
+    EXPECT_EQ(said, outside == 0 ? ""
+                                 : "75 % of what \"l.nrrd\" marks lies outside the scan; is it of "
+                                   "this scan?");
+  }
+}
+
 TEST(Labels, DamagedOnesAreRefusedWithASentence) {
   const std::string keys =
       "Segment0_ID:=Segment_1\nSegment0_Name:=nerve\nSegment0_Color:=1 0.5 0.25\n"
