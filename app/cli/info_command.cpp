@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -151,9 +152,58 @@ ordered_json listed(const datasets::LabelMap& labels, bool names) {
   return all;
 }
 
+/// The same as a table for people: the numbers of a column end below each other.
+std::string tableOf(const ordered_json& structures) {
+  const auto numbers = [](const char* format, auto... values) {
+    char text[96];
+    std::snprintf(text, sizeof text, format, values...);
+    return std::string(text);
+  };
+  std::vector<std::vector<std::string>> rows{
+      {"number", "voxels", "volume [mm^3]", "centre x y z [mm]", "outside", "  name"}};
+  for (const ordered_json& one : structures) {
+    const ordered_json centre = one.value("centre_mm", ordered_json::array());
+    rows.push_back({one["number"].dump(), one["voxels"].dump(),
+                    numbers("%.1f", one["volume_mm3"].get<double>()),
+                    centre.empty() ? "-"
+                                   : numbers("%.1f %.1f %.1f", centre[0].get<double>(),
+                                             centre[1].get<double>(), centre[2].get<double>()),
+                    numbers("%.0f %%", 100.0 * one.value("outside", 0.0)),
+                    "  " + one.value("name", "")});
+  }
+  std::string table;
+  for (const std::vector<std::string>& row : rows) {
+    std::string line;
+    for (std::size_t column = 0; column + 1 < row.size(); ++column) {
+      std::size_t width = 0;
+      for (const auto& other : rows) width = std::max(width, other[column].size());
+      line += std::string(width + 2 - row[column].size(), ' ') + row[column];
+    }
+    line += row.back();
+    table += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return table;
+}
+
+/// What is known of a scan and its structures, for people.
+std::string textOf(ordered_json json, const ordered_json& structures) {
+  const ordered_json labels = json.value("labels", ordered_json::array());
+  json.erase("labels");
+  if (!structures.empty()) json.erase("structures");
+  std::string text = linesOf(json);
+  if (!structures.empty()) text += "structures:\n" + tableOf(structures);
+  for (const ordered_json& one : labels) {
+    text += "labels:\n" + tableOf(one["structures"]);
+    for (const ordered_json& note : one.value("notes", ordered_json::array()))
+      text += "note: " + note.get<std::string>() + '\n';
+  }
+  return text;
+}
+
 /// Adds the structures of the files that are named.
 Outcome withLabels(const InfoOptions& all, const haptics::Volume& volume,
-                   const datasets::ScanIdentity& scan, ordered_json json) {
+                   const datasets::ScanIdentity& scan, ordered_json json,
+                   const ordered_json& structures = {}) {
   datasets::LabelReading reading = all.reading;
   reading.of = scan;
   for (const std::string& path : all.labels) {
@@ -164,7 +214,7 @@ Outcome withLabels(const InfoOptions& all, const haptics::Volume& volume,
       one["notes"].push_back(resources::sentence(note));
     json["labels"].push_back(std::move(one));
   }
-  return {Exit::Done, json, {}, {}};
+  return {Exit::Done, json, textOf(json, structures), {}};
 }
 
 Outcome infoOfPhantom(const InfoOptions& all) {
@@ -174,8 +224,9 @@ Outcome infoOfPhantom(const InfoOptions& all) {
   describe(**volume, nullptr, json);
   const auto labels = datasets::phantomLabels(all.volume.phantom, (*volume)->grid, &interruption());
   if (!labels) return refused(labels.error());
-  if (!labels->structures().empty()) json["structures"] = listed(*labels, true);
-  return withLabels(all, **volume, {}, std::move(json));
+  const ordered_json structures = listed(*labels, true);
+  if (!structures.empty()) json["structures"] = structures;
+  return withLabels(all, **volume, {}, std::move(json), structures);
 }
 
 Outcome info(const InfoOptions& all) {

@@ -23,8 +23,9 @@ std::string wordsOf(const nlohmann::ordered_json& value) {
   return printable(value.is_string() ? value.get<std::string>() : textOf(value, -1));
 }
 
-/// The JSON as lines "name: value" for people; a line for each object of a list.
-std::string asLines(const nlohmann::ordered_json& json) {
+}  // namespace
+
+std::string linesOf(const nlohmann::ordered_json& json) {
   std::string lines;
   for (const auto& [name, value] : json.items()) {
     if (!value.is_array() || value.empty() || !value.front().is_object()) {
@@ -40,8 +41,6 @@ std::string asLines(const nlohmann::ordered_json& json) {
   }
   return lines;
 }
-
-}  // namespace
 
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known) {
   if (error.reason == "cancelled") return stopped();
@@ -87,7 +86,7 @@ int tellAll(const Outcome& outcome, bool json) {
       object["error"] = {{"code", static_cast<int>(code)}, {"message", outcome.error}};
     out << textOf(object, 2) << '\n';
   } else if (code == Exit::Done || !outcome.json.empty()) {
-    out << (outcome.text.empty() ? asLines(outcome.json) : printable(outcome.text, true));
+    out << (outcome.text.empty() ? linesOf(outcome.json) : printable(outcome.text, true));
   }
   out.flush();
   if (!out && code == Exit::Done) {

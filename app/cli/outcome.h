@@ -22,6 +22,9 @@ struct Outcome {
   bool aside = false;
 };
 
+/// An object as lines "name: value" for people; a line for each object of a list.
+std::string linesOf(const nlohmann::ordered_json& json);
+
 /// A refusal, with further known facts.
 Outcome refused(const haptics::Error& error, nlohmann::ordered_json known = {});
 Outcome usage(std::string what);

@@ -443,6 +443,17 @@ def lists_the_structures_of_label_maps():
           watched["error_mm"] == 0.55 and watched["told_up_to_mm"] == 20.0, f"watched {watched}")
     none = call(*touch((*scan, "--watch", "2"), tool=point), code=2)
     check(b"no structure 2" in none.stderr, f"structure 2: {none}")
+    # of four columns two lie in the scan
+    labels.write_bytes((head.format(origin[0] - 3.5, origin[1] + 0.5, origin[2] + 0.5) + "\n").encode() + voxels)
+    half = json.loads(call("info", place / "v.nrrd", "--labels", labels, "--json").stdout)["labels"][0]
+    check(half["structures"][0]["outside"] == 0.5 and "50 % of what \"l.seg.nrrd\"" in half["notes"][0], f"half {half}")
+    told = call(*touch((*scan, "--watch", "1"), tool=point))
+    check(b"50 % of what" in told.stderr, f"a run says {told.stderr}")
+    # for people a table, and a line for each remark
+    lines = call("info", place / "v.nrrd", "--labels", labels, "--names").stdout.decode().split("\n")
+    table = lines[lines.index("labels:") + 1:]
+    check(table[0].split()[:3] == ["number", "voxels", "volume"] and table[1].split()[:2] == ["1", "1024"]
+          and table[1].endswith("50 %") and table[2].startswith("note: 50 %") and max(map(len, lines)) < 120, f"{lines}")
     labels.write_bytes((head.format(900, 0, 0) + "\n").encode() + voxels)
     away = call("info", place / "v.nrrd", "--labels", labels, "--json", code=3)
     check(b"outside the scan" in away.stderr and json.loads(away.stdout)["reasons"] == ["labels-elsewhere"],

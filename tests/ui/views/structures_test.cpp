@@ -409,6 +409,33 @@ TEST_F(Structures, HalfOfWhichLiesOutsideTheScanSaySo) {
       << message().toStdString();
 }
 
+TEST_F(Structures, ComeBackWithTheWorkThatACrashLeft) {
+  // what lies in a temporary folder is no recent place
+  ASSERT_TRUE(QDir(path("")).mkdir("tmp"));
+  qputenv("TMPDIR", path("tmp").toLocal8Bit());
+  start();
+  application_->marks().measures().replace(
+      {{ui::MeasureKind::Distance, "Width", {{-5.25, 1, 2}, {10, 1, 2}}}});
+  EXPECT_TRUE(waitFor([&] {
+    return QSettings().value("places/structures").toStringList().join(' ').endsWith("a.seg.nrrd");
+  }));
+  application_->end();  // nothing is asked
+  application_.reset();
+  start("");
+  EXPECT_EQ(list().rowCount(), 0);
+  auto& resume = part<QPushButton>("takeWork");
+  ASSERT_TRUE(waitFor([&] { return resume.isVisible(); }));
+  QSignalSpy opened(&structures(), &app::StructuresController::opened);
+  resume.click();
+  EXPECT_TRUE(waitFor([&] { return opened.count() == 1; })) << message().toStdString();
+  EXPECT_EQ(list().rowCount(), 3);
+  EXPECT_EQ(application_->marks().measures().all().size(), 1U);
+  // those that the user closed stay away, and nothing is left of what is forgotten
+  part<QPushButton>("closeStructures").click();
+  EXPECT_TRUE(waitFor([&] { return !QSettings().contains("places/structures"); }));
+  qunsetenv("TMPDIR");
+}
+
 TEST_F(Structures, NamesGoToTheScreenAlone) {
   start();
   views().setCross(kNerve);
