@@ -471,6 +471,9 @@ void Application::Parts::wireViews() {
 }
 
 void Application::Parts::wireProgram() {
+  connect(&structures, &StructuresController::fileChanged, &journal,
+          &JournalController::setStructures);
+  connect(&journal, &JournalController::structuresWanted, &structures, &StructuresController::open);
   connect(&opening, &OpeningController::loading, &log, &LogController::noteLoading);
   connect(&hand, &HandController::changed, &log, &LogController::noteHand);
   connect(&device, &DeviceController::taken, &log, &LogController::noteHand);

@@ -215,7 +215,8 @@ void OpeningController::keepPlace(const std::filesystem::path& place) {
 
 void OpeningController::forgetPlaces() {
   Preferences& kept = preferences_.present();
-  for (QStringList* list : {&kept.places, &kept.place_hashes, &kept.tools}) list->clear();
+  for (QStringList* list : {&kept.places, &kept.place_hashes, &kept.structures, &kept.tools})
+    list->clear();
   preferences_.save();
   emit placesForgotten();
   // not by showPlaces(): the menu's own action may be what brought us here

@@ -139,6 +139,7 @@ Preferences loadPreferences() {
     preferences.places = settings.value("places/recent").toStringList().mid(0, kMostPlaces);
     preferences.place_hashes =
         hashesOf(settings.value("places/hashes").toStringList(), preferences.places);
+    preferences.structures = settings.value("places/structures").toStringList().mid(0, kMostPlaces);
     preferences.tools = settings.value("places/tools").toStringList().mid(0, kMostPlaces);
   }
   if (const QString tool = settings.value("tool/name").toString();
@@ -195,6 +196,7 @@ void savePreferences(const Preferences& preferences) {
   };
   setList("places/recent", preferences.places);
   setList("places/hashes", preferences.place_hashes);
+  setList("places/structures", preferences.structures);
   setList("places/tools", preferences.tools);
 }
 

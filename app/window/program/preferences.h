@@ -17,8 +17,8 @@
 namespace app {
 
 /// The values that are stored between runs. The only paths are the recent places and files of
-/// tools, which the user can switch off, and the folder of recordings if the user chose one. Of a
-/// scan only its keyed hash is stored, beside its place.
+/// structures and tools, which the user can switch off, and the folder of recordings if the user
+/// chose one. Of a scan only its keyed hash is stored, beside its place.
 struct Preferences {
   QByteArray geometry = {};      ///< geometry of the window, as Qt writes it
   ui::WindowLayout layout = {};  ///< views, borders, panels
@@ -40,6 +40,7 @@ struct Preferences {
   QStringList places = {};   ///< entries of File > Open recent, the newest first
   bool places_remembered = true;
   QStringList place_hashes = {};  ///< of scans of these places: keyed hash, blank, path
+  QStringList structures = {};    ///< files of structures of scans, as place_hashes
   QStringList tools = {};         ///< files of tools, the newest first
   QString tool = {};              ///< named tool that the user chose last; empty: none
   QStringList unread = {};        ///< keys of values that could not be read, and are as at first

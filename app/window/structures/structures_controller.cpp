@@ -252,7 +252,7 @@ bool StructuresController::mayTake(double bytes, const QString& what) {
 void StructuresController::read(const std::filesystem::path& path,
                                 const datasets::LabelReading& reading,
                                 const std::shared_ptr<const void>& kept) {
-  ours_ = false;
+  file_ = path;
   read(
       [path, reading, kept,
        scan = scanOf(shared_.shown->volume())](const background::Watch& watch) {
@@ -315,14 +315,16 @@ void StructuresController::read(
 void StructuresController::take(Read read) {
   close();
   labels_ = std::move(read.labels);
+  emit fileChanged(file_);
   shown_.map = std::move(read.map);
+  const bool names_known = file_.empty();
   const datasets::DistanceOptions options = datasets::distancesOf(haptics::kMostWatched);
   for (std::size_t n = 0; n < read.structures.size(); ++n) {
     const datasets::Structure& structure = read.structures[n];
     const auto& [red, green, blue] = structure.colour;
     shown_.looks.push_back(
         {.name = structure.name.empty() ? tr("Structure %1").arg(n + 1)
-                 : ours_
+                 : names_known
                      ? QCoreApplication::translate("app::structureTitle", structure.name.c_str())
                      : QString::fromStdString(structure.name),
          .colour = QColor::fromRgbF(static_cast<float>(red), static_cast<float>(green),
@@ -333,7 +335,7 @@ void StructuresController::take(Read read) {
                  ? 0
                  : datasets::distanceSamples(shown_.map->grid, read.boxes[n], options) *
                        static_cast<std::int64_t>(sizeof(std::int16_t)),
-         .own_name = ours_});
+         .own_name = names_known});
   }
   log::write(log::Level::Info, "structures-opened", {{"structures", shown_.looks.size()}});
   show();
@@ -370,7 +372,7 @@ void StructuresController::close() {
   maker_.abandon();
   places_mm_.clear();
   measurer_.abandon();
-  labels_.reset();
+  if (std::exchange(labels_, nullptr)) emit fileChanged({});
   distances_.clear();
   // how all of them are drawn stays
   shown_.map.reset();
@@ -501,7 +503,7 @@ void StructuresController::showScene() {
   offerFound();
   const std::string phantom = std::exchange(awaited_, {});
   if (phantom.empty() || !shared_.shown->place.empty()) return;
-  ours_ = true;
+  file_.clear();
   read([phantom, scan](const background::Watch& watch) {
     return datasets::phantomLabels(phantom, scan->grid, &watch.cancel);
   });

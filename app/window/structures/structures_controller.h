@@ -81,6 +81,8 @@ class StructuresController : public QObject {
   void scanWanted(const QStringList& paths);
   /// Structures are on view, in 3-D too.
   void opened();
+  /// The file of the structures on view; empty: they are closed, or of no file.
+  void fileChanged(const std::filesystem::path& file);
   /// How near the tool is to the structures that are watched; none: none is.
   void nearChanged(const std::vector<ui::StructureNear>& near, const ui::NearLimits& limits);
   /// felt() is other from the next tick on.
@@ -141,8 +143,8 @@ class StructuresController : public QObject {
   bool offered_ = false;                       ///< what was found with the scan on view
   std::filesystem::path found_at_;
   std::vector<datasets::StructuresFound> found_;
-  std::string awaited_;  ///< phantom whose structures are wanted; empty: none
-  bool ours_ = false;    ///< what is read is a phantom's, whose names we know
+  std::string awaited_;         ///< phantom whose structures are wanted; empty: none
+  std::filesystem::path file_;  ///< that is read; empty: a phantom's, whose names we know
   ui::Structures shown_;
   std::vector<std::vector<Eigen::Vector3d>>
       places_mm_;  ///< of each structure; empty: not yet known

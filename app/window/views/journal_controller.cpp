@@ -72,6 +72,9 @@ JournalController::JournalController(ui::Messages& messages, SharedState& shared
     taken_ = resumed;
     written_.reset();
     in_journal_ = false;
+    const QString file =
+        placeWith(preferences_.present().structures, QString::fromStdString(hexOf(resumed->hash)));
+    if (!file.isEmpty()) emit structuresWanted(file.toStdString());
   });
   connect(&files, &ViewFileController::saved, this, &JournalController::endKept);
   connect(&timer_, &QTimer::timeout, this, [this] { check(false); });
@@ -159,6 +162,7 @@ void JournalController::showScene() {
 void JournalController::leaveScan() {
   const auto left = std::exchange(seen_, {});
   first_.reset();
+  structures_.reset();
   taken_.reset();
   written_.reset();
   if (!std::exchange(in_journal_, false) || !left || !left->hash || !isOn()) return;
@@ -192,6 +196,7 @@ void JournalController::check(bool last) {
   if (!first_->X_WP) first_->X_WP = now.X_WP;
   seen_ = now;
   if (!now.hash) return;
+  if (in_journal_ && structures_) keepStructures(*now.hash);
   if (!last &&
       (writer_.isRunning() || (since_written_.isValid() && since_written_.elapsed() < kWrittenMs)))
     return;
@@ -200,6 +205,17 @@ void JournalController::check(bool last) {
   in_journal_ = true;
   written_ = now;
   write(now);
+}
+
+void JournalController::keepStructures(const VolumeHash& hash) {
+  QStringList& kept = preferences_.present().structures;
+  const QString hex = QString::fromStdString(hexOf(hash));
+  const QString path = QString::fromStdString(structures_->string());
+  const QString file = isTemporary(path) ? QString{} : path;
+  if (placeWith(kept, hex) == file) return;
+  kept.removeIf([&](const QString& entry) { return entry.startsWith(hex); });
+  if (!file.isEmpty()) kept = withHash(kept, hex, file).mid(0, kMostPlaces);
+  preferences_.save();
 }
 
 void JournalController::write(const ViewFile& view) {

@@ -32,12 +32,16 @@ class JournalController : public QObject {
   void look();
   /// Call it when a scene is on view.
   void showScene();
+  /// The file of the structures on view; empty: there are none any more, or they are of no file.
+  void setStructures(const std::filesystem::path& file) { structures_ = file; }
   /// Removes everything that is kept.
   void forget();
   /// The window goes. `asked`: the user was asked about what is not saved.
   void close(bool asked);
 
  signals:
+  /// The work on a scan goes on, in which these structures were open.
+  void structuresWanted(const std::filesystem::path& file);
   /// The newest work is in the journal.
   void kept();
 
@@ -59,6 +63,8 @@ class JournalController : public QObject {
   /// Looks whether something is to be kept. `last`: the window goes.
   void check(bool last);
   void write(const ViewFile& view);
+  /// Of the scan on view, beside its place.
+  void keepStructures(const VolumeHash& hash);
   void leaveScan();
   void endKept();
 
@@ -67,11 +73,12 @@ class JournalController : public QObject {
   PreferencesController& preferences_;
   ViewFileController& files_;
   Journal journal_;
-  std::shared_ptr<const haptics::Volume> scan_;  ///< on view
-  std::optional<ViewFile> first_;                ///< as the scan was when it came
-  std::optional<ViewFile> seen_;                 ///< newest
-  std::optional<ViewFile> written_;              ///< when it was kept last, or need not be
-  bool in_journal_ = false;                      ///< whether something of this scan is
+  std::shared_ptr<const haptics::Volume> scan_;      ///< on view
+  std::optional<std::filesystem::path> structures_;  ///< as in setStructures(), of this scan
+  std::optional<ViewFile> first_;                    ///< as the scan was when it came
+  std::optional<ViewFile> seen_;                     ///< newest
+  std::optional<ViewFile> written_;                  ///< when it was kept last, or need not be
+  bool in_journal_ = false;                          ///< whether something of this scan is
   std::optional<Journal::Left> resuming_, taken_;
   bool told_ = false;  ///< that nothing can be kept
   QTimer timer_;

@@ -31,6 +31,7 @@
 #include "app/application.h"
 #include "app/window/scan/loader.h"
 #include "app/window/structures/structures_controller.h"
+#include "app/window/views/marks_controller.h"
 #include "tests/ui/views/structures_window.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/number_box.h"
