@@ -6,13 +6,14 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "ui/controls/elided_label.h"
 #include "ui/controls/figure.h"
 #include "ui/style/style.h"
 
 namespace ui {
 namespace {
 
-constexpr int kSwatch = 10, kStructureWidth = 110;  // px
+constexpr int kSwatch = 10;  // px
 
 /// A sign, a word and a colour: none of them alone.
 struct HowNear {
@@ -63,15 +64,15 @@ NearnessLines::NearnessLines(QWidget* parent) : QWidget(parent) {
   grid->setColumnStretch(1, 1);
   for (int n = 0; n < kLines; ++n) {
     Line& line = lines_[static_cast<std::size_t>(n)];
-    line = {new QLabel, new QLabel, new QLabel, new Figure(tr("Distance"))};
+    line = {new QLabel, new ElidedLabel, new QLabel, new Figure(tr("Distance"))};
     line.mark->setFixedSize(kSwatch, kSwatch);
     line.mark->setAutoFillBackground(true);
-    line.name->setTextFormat(Qt::PlainText);
     style::setType(*line.name, style::Type::Small);
     style::setType(*line.distance, style::Type::Figure);
+    line.name->setObjectName(QStringLiteral("nearnessName%1").arg(n));
     line.distance->setObjectName(QStringLiteral("nearness%1").arg(n));
     grid->addWidget(line.mark, n, 0, Qt::AlignVCenter);
-    grid->addWidget(line.name, n, 1, Qt::AlignVCenter);
+    grid->addWidget(line.name, n, 1);  // the name gives way to the distance
     grid->addWidget(line.sign, n, 2, Qt::AlignVCenter);
     grid->addWidget(line.distance, n, 3, Qt::AlignRight | Qt::AlignVCenter);
   }
@@ -90,7 +91,7 @@ void NearnessLines::show(std::vector<StructureNear> near, const NearLimits& limi
     QPalette palette = line.mark->palette();
     palette.setColor(QPalette::Window, one.colour);
     line.mark->setPalette(palette);
-    say(*line.name, line.name->fontMetrics().elidedText(one.name, Qt::ElideRight, kStructureWidth));
+    say(*line.name, one.name);
     say(*line.sign, QString::fromUtf16(how.sign));
     say(*line.distance, nearWords(one, limits));
     line.distance->setAccessibleName(tr("Distance to %1").arg(one.name));
