@@ -2,6 +2,7 @@
 #include "ui/props/structure_props.h"
 
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -18,6 +19,9 @@
 namespace ui {
 namespace {
 
+// a smoothed surface is off by half a voxel, seen aslant by more
+constexpr double kForward = 0.8;      // voxels
+constexpr double kMostNearer = 0.02;  // of the distance
 constexpr double kAmbientOfStructure = 0.25, kDiffuseOfStructure = 0.75;
 
 // a pattern of four by four pixels; another structure's is shifted, or two of one opacity would
@@ -76,6 +80,23 @@ void StructureProps::showShape(std::size_t number, vtkPolyData* mesh) {
   look(number);
   surfaces_.AddActor(prop.surface);
   outlines_.AddActor(prop.flat);
+}
+
+void StructureProps::bringForward(vtkCamera& camera) {
+  if (shown_.map == nullptr) return;
+  const Eigen::Affine3d X_WL_mm = frameOf(shown_.map->grid);
+  const double forward_mm = kForward * shown_.map->grid.spacing.maxCoeff() * kMmPerM;
+  const Eigen::Vector3d eye_mm{camera.GetPosition()}, sight{camera.GetDirectionOfProjection()};
+  for (const Prop& prop : props_) {
+    if (prop.surface == nullptr) continue;
+    Eigen::Affine3d forward{Eigen::Translation3d(-forward_mm * sight)};
+    if (!camera.GetParallelProjection()) {
+      const Eigen::Vector3d middle{prop.flat->GetCenter()};
+      const double nearer = std::min(kMostNearer, forward_mm / (middle - eye_mm).norm());
+      forward = Eigen::Translation3d(nearer * eye_mm) * Eigen::Scaling(1.0 - nearer);
+    }
+    prop.surface->SetUserMatrix(matrixOf(forward * X_WL_mm));
+  }
 }
 
 void StructureProps::look(std::size_t number) {

@@ -9,6 +9,7 @@
 #include "ui/props/structures.h"
 
 class vtkActor;
+class vtkCamera;
 class vtkPolyData;
 class vtkRenderer;
 
@@ -28,6 +29,10 @@ class StructureProps {
   /// Other structures than before have no shape yet.
   void show(const Structures& shown);
   void showShape(std::size_t number, vtkPolyData* mesh);
+  /// Brings the surfaces nearer to the camera by what a voxel's place is off, in a picture that is
+  /// the same otherwise: where a structure and the scan have the same surface, that of the
+  /// structure is seen, not stripes of both.
+  void bringForward(vtkCamera& camera);
   const Structures& shown() const { return shown_; }
 
  private:

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/props/structure_shape.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkQuadricDecimation.h>
 #include <vtkReverseSense.h>
 #include <vtkSmartPointer.h>
 #include <vtkWindowedSincPolyDataFilter.h>
@@ -27,6 +29,8 @@ constexpr double kWholeLevel = 127.5, kAverageLevel = 76.0;
 constexpr int kSmoothings = 20;
 constexpr double kPassBand = 0.08;
 constexpr double kMostMoved = 0.3;
+// that edges are collapsed of: some seconds; what has more is binned before
+constexpr std::int64_t kMostCollapsed = 1'000'000;
 
 using VoxelIndex = std::array<std::int64_t, 3>;
 
@@ -62,6 +66,26 @@ vtkSmartPointer<vtkPoints> held(vtkPolyData& smoothed, vtkPolyData& before,
     points->SetPoint(n, to.data());
   }
   return points;
+}
+
+/// At most so many triangles. Edges are collapsed: bins would merge the two sides of a thin wall.
+vtkSmartPointer<vtkPolyData> lightened(vtkPolyData* mesh, std::int64_t most_triangles,
+                                       const std::atomic<bool>& cancel) {
+  if (mesh->GetNumberOfPolys() <= most_triangles) return mesh;
+  const vtkSmartPointer<vtkPolyData> input = lightMesh(mesh, kMostCollapsed);
+  vtkNew<vtkQuadricDecimation> collapse;
+  collapse->SetInputData(input);
+  collapse->SetTargetReduction(1.0 - double(most_triangles) / double(input->GetNumberOfPolys()));
+  collapse->VolumePreservationOn();
+  vtkNew<vtkCallbackCommand> end;
+  end->SetClientData(const_cast<std::atomic<bool>*>(&cancel));
+  end->SetCallback([](vtkObject* filter, unsigned long, void* flag, void*) {
+    if (*static_cast<const std::atomic<bool>*>(flag))
+      static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
+  });
+  collapse->AddObserver(vtkCommand::ProgressEvent, end);
+  collapse->Update();
+  return collapse->GetOutput();
 }
 
 }  // namespace
@@ -168,7 +192,7 @@ StructureShape shapeOf(const StructureMap& map, std::uint8_t number, const hapti
   rounded->ShallowCopy(smooth->GetOutput());
   rounded->SetPoints(held(*smooth->GetOutput(), *edges->GetOutput(), block_mm));
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(rounded);
+  normals->SetInputData(lightened(rounded, most_triangles, cancel));
   normals->SplittingOff();
   normals->ConsistencyOff();
   vtkAlgorithm* last = normals;
@@ -181,7 +205,7 @@ StructureShape shapeOf(const StructureMap& map, std::uint8_t number, const hapti
   }
   last->Update();
   if (cancel) return {};
-  shape.mesh = lightMesh(vtkPolyData::SafeDownCast(last->GetOutputDataObject(0)), most_triangles);
+  shape.mesh = vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
   return shape;
 }
 

@@ -25,9 +25,9 @@ struct StructureShape {
 /// For each of so many structures the box of its voxels; empty: it has none. Any thread.
 std::vector<haptics::VoxelBox> boxesOf(const StructureMap& map, std::size_t structures);
 
-/// Makes the shape of a structure from the voxels of its box. A wall of one voxel stays; above some
-/// millions of voxels they are averaged, and it may not. Any thread. If `cancel` becomes true
-/// meanwhile, the result is empty.
+/// Makes the shape of a structure from the voxels of its box. A wall of one voxel stays, with both
+/// its sides; above some millions of voxels they are averaged, and it is drawn thicker or not at
+/// all. Any thread. If `cancel` becomes true meanwhile, the result is empty.
 StructureShape shapeOf(const StructureMap& map, std::uint8_t number, const haptics::VoxelBox& box,
                        std::int64_t most_triangles, const std::atomic<bool>& cancel);
 

@@ -266,6 +266,7 @@ void VolumeView::chooseMode() {
 }
 
 void VolumeView::redrawSurface() {
+  structures_.bringForward(*camera());
   forgetDrawn();
   redraw();
 }
