@@ -506,16 +506,21 @@ void VolumeView::tellPointed() {
   QString words;
   const bool looks = pointer_in_ && !grasp_;
   const auto met = looks ? surfaceUnder(last_mouse_) : std::nullopt;
-  if (met && touched_.behind && picture().volume != nullptr)
-    words =
-        touchedWords(touched_.behind(met->p_W), QString::fromStdString(picture().volume->unit)) +
-        QStringLiteral("   ") + positionWords(met->p_W * kMmPerM, orientation_known_);
-  if (const QString names = looks ? structuresUnder(last_mouse_, met) : QString{}; !names.isEmpty())
-    words += (words.isEmpty() ? QString{} : QStringLiteral("   ")) + names;
+  const NamedPlace named = looks ? structuresUnder(last_mouse_, met) : NamedPlace{};
+  // value, place and names are those of one place
+  if ((met || named.p_W_mm) && touched_.behind && picture().volume != nullptr) {
+    const haptics::Vec3 p_W = named.p_W_mm ? *named.p_W_mm / kMmPerM : met->p_W;
+    words = touchedWords(named.p_W_mm ? touched_.value(p_W) : touched_.behind(p_W),
+                         QString::fromStdString(picture().volume->unit)) +
+            QStringLiteral("   ") + positionWords(p_W * kMmPerM, orientation_known_);
+  }
+  if (!named.names.isEmpty())
+    words += (words.isEmpty() ? QString{} : QStringLiteral("   ")) + named.names;
   emit pointedChanged(words);
 }
 
-QString VolumeView::structuresUnder(QPointF at, const std::optional<SurfacePlace>& met) const {
+VolumeView::NamedPlace VolumeView::structuresUnder(QPointF at,
+                                                   const std::optional<SurfacePlace>& met) const {
   const Structures& shown = structures_.shown();
   if (shown.map == nullptr || box_mm_.isEmpty()) return {};
   Eigen::Vector3d from_mm, along;
@@ -525,15 +530,17 @@ QString VolumeView::structuresUnder(QPointF at, const std::optional<SurfacePlace
   const double met_mm = met ? (met->p_W * kMmPerM - from_mm).norm() : far_mm;
   const auto firstShown = [&](double begin_mm, double end_mm) {
     for (double away = begin_mm; away < end_mm; away += step_mm)
-      if (const std::uint8_t code = shown.map->codeAt(from_mm + away * along); shown.isShown(code))
-        return shown.namesOf(code);
-    return QString{};
+      if (const Eigen::Vector3d p_mm = from_mm + away * along;
+          shown.isShown(shown.map->codeAt(p_mm)))
+        return NamedPlace{shown.namesAt(p_mm), p_mm};
+    return NamedPlace{};
   };
   // before the surface; else what is touched there, half a voxel behind it; else seen through it
-  QString names = firstShown(std::max(0.0, far_mm - box_mm_.diagonal().norm()), met_mm);
-  if (names.isEmpty() && met) names = shown.namesAt(met->p_W * kMmPerM - met->normal_W * step_mm);
-  if (names.isEmpty() && met && shown.through) names = firstShown(met_mm, far_mm);
-  return names;
+  NamedPlace named = firstShown(std::max(0.0, far_mm - box_mm_.diagonal().norm()), met_mm);
+  if (named.names.isEmpty() && met)
+    named.names = shown.namesAt(met->p_W * kMmPerM - met->normal_W * step_mm);
+  if (named.names.isEmpty() && met && shown.through) named = firstShown(met_mm, far_mm);
+  return named;
 }
 
 QPointF VolumeView::projected(const haptics::Vec3& p_W) const {

@@ -193,9 +193,13 @@ class VolumeView : public Viewport, public Spoken {
   void chooseCursor(QPointF at);
   void fitClippingRange();
   void tellPointed();
-  /// The names of the structures that are seen or touched under a pixel, where the surface is met
-  /// there, or not.
-  QString structuresUnder(QPointF at, const std::optional<SurfacePlace>& met) const;
+  /// Structures at a place that is seen.
+  struct NamedPlace {
+    QString names = {};                        ///< empty: there is none
+    std::optional<haptics::Vec3> p_W_mm = {};  ///< none: that of the surface
+  };
+  /// Those that are seen or touched under a pixel, where the surface is met there, or not.
+  NamedPlace structuresUnder(QPointF at, const std::optional<SurfacePlace>& met) const;
   /// Whether the box that the surface fills is seen in a box of the view.
   bool showsBody(const QRectF& box);
   void paintOver(QPainter& painter) const;
