@@ -334,6 +334,7 @@ void Application::Parts::wireOpening() {
   connect(&opening, &Opening::surveyed, &structures, &StructuresController::know);
   connect(&opening, &Opening::structuresWanted, &structures, &StructuresController::openFound);
   connect(&structures, &StructuresController::nearChanged, &picture, &PictureController::showNear);
+  picture.nameSolidsBy([this](const auto& p_W_mm) { return structures.solidAt(p_W_mm); });
   connect(&structures, &StructuresController::nearChanged, &window.touch(),
           &ui::TouchState::showNear);
   connect(&window, &ui::MainWindow::dropped, &structures, &StructuresController::sort);

@@ -31,6 +31,8 @@ QString touchWords(const haptics::Snapshot& snapshot, const std::optional<Touche
   if (snapshot.contacts == 0) return ForcePanel::tr("Nothing is touched");
   if (!touched) return ForcePanel::tr("Touching");
   const QString with_unit = touchedWords(touched->value, touched->unit);
+  if (!touched->structure.isEmpty())
+    return ForcePanel::tr("Touching %1, %2").arg(touched->structure, with_unit);
   const QString tissue =
       touched->unit == QLatin1String("HU") ? tissueAt(touched->value) : QString();
   return tissue.isEmpty() ? ForcePanel::tr("Touching %1").arg(with_unit)
@@ -71,6 +73,8 @@ ForcePanel::ForcePanel(QWidget* parent)
   torque_->setMinimumWidth(torque_->fontMetrics().horizontalAdvance(tr("%1 mN·m").arg(8888)) + 2);
   touch_->setObjectName("touchNow");
   touch_->setWordWrap(true);
+  touch_->setTextFormat(Qt::PlainText);  // names of structures
+  line_->setTextFormat(Qt::PlainText);
   style::setDim(*touch_);
   style::setType(*touch_, style::Type::Small);
   touch_->setAlignment(Qt::AlignLeft | Qt::AlignTop);

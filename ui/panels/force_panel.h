@@ -16,8 +16,9 @@ namespace ui {
 
 /// The intensity that is touched.
 struct TouchedValue {
-  double value = 0.0;  ///< half a voxel behind the surface, in the volume's unit
-  QString unit = {};   ///< empty: the volume has none
+  double value = 0.0;      ///< half a voxel behind the surface, in the volume's unit
+  QString unit = {};       ///< empty: the volume has none
+  QString structure = {};  ///< that is solid there; empty: none
 };
 
 /// The card in a corner of the 3-D view: the force on the hand in large figures, the torque, a plot

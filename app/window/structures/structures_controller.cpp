@@ -112,6 +112,7 @@ StructuresController::StructuresController(ui::Views& views, ui::Messages& messa
   connect(&loading, &ui::Loading::cancelWanted, this, [this] { reader_.cancel(); });
   connect(panel_, &ui::StructuresPanel::openWanted, &menus, &ui::Menus::askForStructures);
   limits_ = preferences.present().near;
+  limits_.close_mm = std::min(limits_.close_mm, limits_.near_mm);
   feel_ = preferences.present().feel;
   panel_->setLimits(limits_);
   connect(&preferences, &PreferencesController::saving, this, [this](Preferences& saved) {
@@ -131,6 +132,7 @@ void StructuresController::connectPanel() {
   connect(panel_, &Panel::closeWanted, this, &StructuresController::close);
   connect(panel_, &Panel::goToWanted, this, &StructuresController::goTo);
   connect(panel_, &Panel::visibleChosen, this, [this](int number, bool visible) {
+    before_alone_.clear();
     change(number, [&](StructureLook& look) { look.visible = visible; });
   });
   connect(panel_, &Panel::colourChosen, this, [this](int number, const QColor& colour) {
@@ -154,11 +156,22 @@ void StructuresController::connectPanel() {
     });
   });
   connect(panel_, &Panel::aloneWanted, this, [this](int number) {
+    const auto count = std::ranges::count_if(shown_.looks, &StructureLook::visible);
+    const bool alone = count == 1 && shown_.looks[static_cast<std::size_t>(number)].visible;
+    std::vector<bool> before;
+    for (const StructureLook& look : shown_.looks) before.push_back(look.visible);
     for (std::size_t n = 0; n < shown_.looks.size(); ++n)
-      shown_.looks[n].visible = static_cast<int>(n) == number;
+      shown_.looks[n].visible =
+          alone ? before_alone_.empty() || before_alone_[n] : static_cast<int>(n) == number;
+    // another one alone comes back to the same
+    if (alone)
+      before_alone_.clear();
+    else if (before_alone_.empty())
+      before_alone_ = std::move(before);
     show();
   });
   connect(panel_, &Panel::allWanted, this, [this](bool visible) {
+    before_alone_.clear();
     for (StructureLook& look : shown_.looks) look.visible = visible;
     show();
   });
@@ -374,6 +387,7 @@ void StructuresController::close() {
   measurer_.abandon();
   if (std::exchange(labels_, nullptr)) emit fileChanged({});
   distances_.clear();
+  before_alone_.clear();
   // how all of them are drawn stays
   shown_.map.reset();
   shown_.looks.clear();
@@ -489,6 +503,22 @@ void StructuresController::showNear(const haptics::Snapshot& snapshot) {
   panel_->showNear(rows);
   sound_.show(lines, limits_);
   emit nearChanged(lines, limits_);
+}
+
+QString StructuresController::solidAt(const Eigen::Vector3d& p_W_mm) const {
+  if (shown_.map == nullptr) return {};
+  // contacts lie on the surface, which is half a voxel off
+  const Eigen::Vector3d beside_mm = shown_.map->grid.spacing * ui::kMmPerM;
+  for (const double by : {0.0, -1.0, 1.0})
+    for (int axis = 0; axis < (by == 0.0 ? 1 : 3); ++axis) {
+      const Eigen::Vector3d at_mm =
+          p_W_mm + shown_.map->grid.direction.col(axis) * (by * beside_mm[axis]);
+      for (const std::uint8_t number : shown_.map->sets[shown_.map->codeAt(at_mm)])
+        if (const ui::StructureLook& look = shown_.looks[number];
+            look.feel.kind == ui::StructureFeel::Kind::Solid)
+          return look.name;
+    }
+  return {};
 }
 
 void StructuresController::showScene() {

@@ -69,6 +69,8 @@ class StructuresController : public QObject {
   const ui::Structures& shown() const { return shown_; }
   /// The structures on view; null: none.
   const std::shared_ptr<const datasets::LabelMap>& labels() const { return labels_; }
+  /// The name of the solid structure at a place, or a voxel beside it; empty: none is there.
+  QString solidAt(const Eigen::Vector3d& p_W_mm) const;
   /// Distances that are known, by number.
   const std::map<int, haptics::DistanceMap>& distances() const { return distances_; }
   const ui::NearLimits& limits() const { return limits_; }
@@ -146,6 +148,7 @@ class StructuresController : public QObject {
   std::string awaited_;         ///< phantom whose structures are wanted; empty: none
   std::filesystem::path file_;  ///< that is read; empty: a phantom's, whose names we know
   ui::Structures shown_;
+  std::vector<bool> before_alone_;  ///< which were shown before one was shown alone; empty: none is
   std::vector<std::vector<Eigen::Vector3d>>
       places_mm_;  ///< of each structure; empty: not yet known
   background::Task<Read> reader_;

@@ -69,7 +69,8 @@ std::optional<ui::TouchedValue> PictureController::touchedIn(
   const auto hardest = std::ranges::max_element(places, {}, &haptics::ContactPlace::push);
   const haptics::Vec3 p_W = Eigen::Map<const Eigen::Vector3f>(hardest->p_W.data()).cast<double>();
   return ui::TouchedValue{valueBehind(shared_.shown->seenScene()->field, p_W),
-                          QString::fromStdString(shared_.shown->volume()->unit)};
+                          QString::fromStdString(shared_.shown->volume()->unit),
+                          solid_at_(p_W * ui::kMmPerM)};
 }
 
 void PictureController::showForces() {

@@ -5,8 +5,10 @@
 
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "app/background/task.h"
@@ -31,6 +33,10 @@ class PictureController : public QObject {
   /// Clears the plot of the force, and appends to it.
   void clearForces() { panel_->clear(); }
   void appendForces(std::span<const haptics::ForceSample> points) { panel_->append(points); }
+  /// What tells the name of the solid structure at a place [mm]; empty: none is there.
+  void nameSolidsBy(std::function<QString(const Eigen::Vector3d& p_W_mm)> name) {
+    solid_at_ = std::move(name);
+  }
   /// Shows how near structures are, beside the force.
   void showNear(const std::vector<ui::StructureNear>& near, const ui::NearLimits& limits) {
     panel_->showNear(near, limits);
@@ -53,6 +59,7 @@ class PictureController : public QObject {
   SharedState& shared_;
   ui::ForcePanel* panel_;
   QTimer display_;
+  std::function<QString(const Eigen::Vector3d&)> solid_at_ = [](const auto&) { return QString{}; };
   std::vector<haptics::ForceSample> samples_;
   bool look_ = false;
   background::Task<vtkSmartPointer<vtkPolyData>> mesher_;
