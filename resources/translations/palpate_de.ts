@@ -7511,10 +7511,6 @@
         <translation>%1 dreht die Ansichten zur Struktur, %2 benennt sie um, %3 zeigt oder verbirgt sie</translation>
     </message>
     <message>
-        <source>Shows this structure alone</source>
-        <translation>Zeigt diese Struktur allein</translation>
-    </message>
-    <message>
         <source>Chooses another colour</source>
         <translation>Wählt eine andere Farbe</translation>
     </message>
@@ -7651,14 +7647,6 @@
         <translation> N/m</translation>
     </message>
     <message>
-        <source>Within</source>
-        <translation>Innerhalb von</translation>
-    </message>
-    <message>
-        <source>At most</source>
-        <translation>Höchstens</translation>
-    </message>
-    <message>
         <source> N</source>
         <translation> N</translation>
     </message>
@@ -7681,10 +7669,6 @@
     <message>
         <source>Felt</source>
         <translation>Gefühlt</translation>
-    </message>
-    <message>
-        <source>Tell the distance: %1</source>
-        <translation>Abstand nennen: %1</translation>
     </message>
     <message>
         <source>Tells how far the tool is from the structure, beside the force and in recordings. Its distances need %1 of memory.</source>
@@ -7717,6 +7701,42 @@
     <message>
         <source>There is no program that plays sounds: install PipeWire, PulseAudio or ALSA&apos;s utilities</source>
         <translation>Es gibt kein Programm, das Töne spielt: Installieren Sie PipeWire, PulseAudio oder die Programme von ALSA</translation>
+    </message>
+    <message>
+        <source>Of the tissue that is felt there</source>
+        <translation>Die des Gewebes, das dort gefühlt wird</translation>
+    </message>
+    <message>
+        <source>Force within</source>
+        <translation>Kraft innerhalb</translation>
+    </message>
+    <message>
+        <source>The distance from the structure at which the force begins</source>
+        <translation>Der Abstand von der Struktur, in dem die Kraft beginnt</translation>
+    </message>
+    <message>
+        <source>Force at most</source>
+        <translation>Kraft höchstens</translation>
+    </message>
+    <message>
+        <source>The greatest force, at the structure and within</source>
+        <translation>Die größte Kraft, an der Struktur und darin</translation>
+    </message>
+    <message>
+        <source>Structure %1</source>
+        <translation>Struktur %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Shows this structure alone; once more shows what was shown before</source>
+        <translation>Zeigt diese Struktur allein; noch einmal zeigt, was zuvor gezeigt war</translation>
+    </message>
+    <message>
+        <source>Tell the distance (%1 of memory)</source>
+        <translation>Abstand nennen (%1 Speicher)</translation>
     </message>
 </context>
 <context>

@@ -7,19 +7,23 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QIcon>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
+#include <QPixmap>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
 #include "ui/controls/bindings.h"
+#include "ui/controls/elided_label.h"
 #include "ui/controls/number_box.h"
 #include "ui/style/style.h"
 
@@ -32,7 +36,8 @@ enum StructureColumn {
   StructureColour,
   StructureName,
   StructureDistance,
-  StructureOpacity,
+  StructureFelt,     // of those that are felt otherwise than the scan has them
+  StructureOpacity,  // once one is not opaque
   kStructureColumns
 };
 
@@ -65,18 +70,49 @@ struct FeelField {
   const char* unit;
   double least, most, step;
   int decimals;
+  const char* tip;
 };
 constexpr FeelField kFeelFields[] = {
     {StructureFeel::Kind::Softer, &StructureFeel::stiffness, "structureStiffness",
      QT_TRANSLATE_NOOP("ui::StructuresPanel", "Stiffness"),
      QT_TRANSLATE_NOOP("ui::StructuresPanel", " N/m"), kLeastFeelStiffness, kMostFeelStiffness,
-     50.0, 0},
+     50.0, 0, QT_TRANSLATE_NOOP("ui::StructuresPanel", "Of the tissue that is felt there")},
     {StructureFeel::Kind::Guarded, &StructureFeel::margin_mm, "structureMargin",
-     QT_TRANSLATE_NOOP("ui::StructuresPanel", "Within"),
-     QT_TRANSLATE_NOOP("ui::StructuresPanel", " mm"), kLeastMargin_mm, kMostMargin_mm, 0.5, 1},
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "Force within"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", " mm"), kLeastMargin_mm, kMostMargin_mm, 0.5, 1,
+     QT_TRANSLATE_NOOP("ui::StructuresPanel",
+                       "The distance from the structure at which the force begins")},
     {StructureFeel::Kind::Guarded, &StructureFeel::most, "structureGuard",
-     QT_TRANSLATE_NOOP("ui::StructuresPanel", "At most"),
-     QT_TRANSLATE_NOOP("ui::StructuresPanel", " N"), kLeastGuard, kMostGuard, 0.5, 1}};
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "Force at most"),
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", " N"), kLeastGuard, kMostGuard, 0.5, 1,
+     QT_TRANSLATE_NOOP("ui::StructuresPanel", "The greatest force, at the structure and within")}};
+
+/// As its row says it; empty: as the scan has it.
+QString feltWords(const StructureFeel& feel) {
+  if (feel.kind == StructureFeel::Kind::AsScan) return {};
+  for (const FeelChoice& choice : kFeels)
+    if (choice.kind == feel.kind) return StructuresPanel::tr(choice.name);
+  return {};
+}
+
+/// As reports number it.
+QString numbered(int number, const QString& name) {
+  const QString plain = StructuresPanel::tr("Structure %1").arg(number + 1);
+  return name == plain ? plain : StructuresPanel::tr("%1: %2").arg(plain, name);
+}
+
+/// Edits a name in its cell: Qt's own field grows over the cells beside it.
+class NameDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                        const QModelIndex&) const override {
+    auto* field = new QLineEdit(parent);
+    field->setFrame(false);
+    field->setAutoFillBackground(true);
+    return field;
+  }
+};
 
 QTableWidgetItem& cellOf(QTableWidget& list, int row, int column) {
   QTableWidgetItem* item = list.item(row, column);
@@ -94,18 +130,27 @@ QTableWidgetItem& cellOf(QTableWidget& list, int row, int column) {
 }
 
 void showLook(QTableWidget& list, int row, const StructureLook& look) {
-  const QString tip = QStringLiteral("<qt>%1</qt>").arg(look.name.toHtmlEscaped());
+  const QString tip = QStringLiteral("<qt>%1</qt>").arg(numbered(row, look.name).toHtmlEscaped());
   QTableWidgetItem& visible = cellOf(list, row, StructureVisible);
   visible.setCheckState(look.visible ? Qt::Checked : Qt::Unchecked);
   visible.setData(Qt::AccessibleTextRole, StructuresPanel::tr("Show %1").arg(look.name));
   visible.setToolTip(StructuresPanel::tr("Shows it, or hides it"));
   QTableWidgetItem& colour = cellOf(list, row, StructureColour);
-  colour.setData(Qt::DecorationRole, look.colour);
+  // the same where the row is chosen, which tints a plain colour
+  QPixmap swatch(list.iconSize().isValid() ? list.iconSize() : QSize(16, 16));
+  swatch.fill(look.colour);
+  QIcon icon(swatch);
+  icon.addPixmap(swatch, QIcon::Selected);
+  colour.setIcon(icon);
   colour.setData(Qt::AccessibleTextRole, StructuresPanel::tr("Colour of %1").arg(look.name));
   colour.setToolTip(StructuresPanel::tr("A click chooses another colour"));
   QTableWidgetItem& name = cellOf(list, row, StructureName);
   name.setText(look.name);
   name.setToolTip(tip);
+  // a name has the room of a distance that is not told
+  if (const int cells = look.watched ? 1 : 2; list.columnSpan(row, StructureName) != cells)
+    list.setSpan(row, StructureName, 1, cells);
+  cellOf(list, row, StructureFelt).setText(feltWords(look.feel));
   cellOf(list, row, StructureOpacity)
       .setText(StructuresPanel::tr("%1 %").arg(qRound(100.0 * look.opacity)));
 }
@@ -117,6 +162,7 @@ StructuresPanel::StructuresPanel(QWidget* parent)
       search_(new QLineEdit),
       list_(new QTableWidget),
       parts_(new QWidget),
+      title_(new ElidedLabel),
       go_(new QPushButton(tr("Go to"))),
       alone_(new QPushButton(tr("Only this"))),
       rename_(new QPushButton(tr("Rename"))),
@@ -173,11 +219,12 @@ void StructuresPanel::buildList() {
   list_->setObjectName("structures");
   list_->setAccessibleName(tr("Structures"));
   list_->setColumnCount(kStructureColumns);
-  list_->setHorizontalHeaderLabels({{}, {}, tr("Name"), tr("Distance"), tr("Opacity")});
+  list_->setHorizontalHeaderLabels({{}, {}, tr("Name"), tr("Distance"), tr("Felt"), tr("Opacity")});
   style::makeLines(*list_);
   list_->setMinimumHeight(160);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->horizontalHeader()->setSectionResizeMode(StructureName, QHeaderView::Stretch);
+  list_->setItemDelegateForColumn(StructureName, new NameDelegate(list_));
   list_->installEventFilter(this);
   whenKeysChange(*list_, [this] {
     list_->setToolTip(tr("%1 turns the views to the structure, %2 renames it, %3 shows or hides it")
@@ -187,7 +234,8 @@ void StructuresPanel::buildList() {
   connect(list_, &QTableWidget::itemSelectionChanged, this, &StructuresPanel::showChosen);
   connect(list_, &QTableWidget::cellClicked, this, [this](int row, int column) {
     if (column == StructureColour) return askColour(row);
-    if (column != StructureVisible) emit goToWanted(row);
+    // a click elsewhere chooses it, and the camera stays
+    if (column == StructureName) emit goToWanted(row);
   });
   connect(list_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
     if (item->column() == StructureVisible)
@@ -200,7 +248,9 @@ void StructuresPanel::buildList() {
 QWidget* StructuresPanel::buildChosen() {
   go_->setObjectName("goToStructure");
   alone_->setObjectName("structureAlone");
-  alone_->setToolTip(tr("Shows this structure alone"));
+  alone_->setCheckable(true);
+  alone_->setToolTip(tr("Shows this structure alone; once more shows what was shown before"));
+  title_->setObjectName("structureTitle");
   rename_->setObjectName("renameStructure");
   colour_->setObjectName("structureColour");
   colour_->setToolTip(tr("Chooses another colour"));
@@ -232,14 +282,15 @@ QWidget* StructuresPanel::buildChosen() {
   auto* part = new QWidget;
   auto* grid = new QGridLayout(part);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->addWidget(watch_, 3, 0, 1, 2);
-  grid->addWidget(buildFeel(), 4, 0, 1, 2);
-  grid->addWidget(go_, 0, 0);
-  grid->addWidget(alone_, 0, 1);
-  grid->addWidget(rename_, 1, 0);
-  grid->addWidget(colour_, 1, 1);
-  grid->addWidget(new QLabel(tr("Opacity")), 2, 0);
-  grid->addWidget(opacity_, 2, 1);
+  grid->addWidget(title_, 0, 0, 1, 2);
+  grid->addWidget(watch_, 4, 0, 1, 2);
+  grid->addWidget(buildFeel(), 5, 0, 1, 2);
+  grid->addWidget(go_, 1, 0);
+  grid->addWidget(alone_, 1, 1);
+  grid->addWidget(rename_, 2, 0);
+  grid->addWidget(colour_, 2, 1);
+  grid->addWidget(new QLabel(tr("Opacity")), 3, 0);
+  grid->addWidget(opacity_, 3, 1);
   return part;
 }
 
@@ -274,7 +325,13 @@ QWidget* StructuresPanel::buildFeel() {
     box->setKeyboardTracking(false);  // what is typed is felt once it is whole
     box->setValue(StructureFeel{}.*field.value);
     connect(box, &NumberBox::valueChanged, this, choose);
-    const int row = grid->rowCount();
+    box->setToolTip(tr(field.tip));
+    // all ways have the same rows, so that what stands below stays where it is
+    int row = 1;
+    for (const FeelNumber& other : feel_numbers_) row += other.kind == field.kind ? 1 : 0;
+    QSizePolicy kept = box->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    box->setSizePolicy(kept);
     grid->addWidget(label, row, 0);
     grid->addWidget(box, row, 1);
     feel_numbers_.push_back({field.kind, field.value, label, box});
@@ -328,8 +385,12 @@ QWidget* StructuresPanel::buildAll() {
     box.setSingleStep(0.5);
     box.setSuffix(tr(" mm"));
     box.setValue(mm);
-    connect(&box, &NumberBox::valueChanged, this, [this] {
-      emit limitsChosen({near_mm_->value(), close_mm_->value()});
+    connect(&box, &NumberBox::valueChanged, this, [this](double chosen_mm) {
+      // what is close is near, too: one takes the other with it
+      NearLimits now{near_mm_->value(), close_mm_->value()};
+      if (now.close_mm > now.near_mm) now = {chosen_mm, chosen_mm};
+      setLimits(now);
+      emit limitsChosen(now);
     });
     grid->addWidget(new QLabel(words), row, 0);
     grid->addWidget(&box, row, 1);
@@ -401,8 +462,14 @@ void StructuresPanel::show(const Structures& structures) {
       showLook(*list_, row, structures.looks[number]);
   }
   shown_ = structures;
-  list_->setColumnHidden(StructureDistance,
-                         std::ranges::none_of(shown_.looks, &StructureLook::watched));
+  const auto hideUnless = [&](int column, auto&& is) {
+    list_->setColumnHidden(column, std::ranges::none_of(shown_.looks, is));
+  };
+  hideUnless(StructureDistance, &StructureLook::watched);
+  hideUnless(StructureFelt, [](const StructureLook& look) {
+    return look.feel.kind != StructureFeel::Kind::AsScan;
+  });
+  hideUnless(StructureOpacity, [](const StructureLook& look) { return look.opacity < 1.0; });
   if (others) search_->clear();
   through_->setChecked(structures.through);
   filled_->setChecked(structures.filled);
@@ -428,6 +495,14 @@ void StructuresPanel::search() {
   for (int row = 0; row < list_->rowCount(); ++row)
     list_->setRowHidden(row, !shown_.looks[static_cast<std::size_t>(row)].name.contains(
                                  search_->text(), Qt::CaseInsensitive));
+  // what is chosen is seen
+  if (chosen() < 0 || !list_->isRowHidden(chosen())) return;
+  int first = 0;
+  while (first < list_->rowCount() && list_->isRowHidden(first)) ++first;
+  if (first < list_->rowCount())
+    list_->selectRow(first);
+  else
+    list_->clearSelection();
 }
 
 int StructuresPanel::chosen() const {
@@ -442,12 +517,19 @@ void StructuresPanel::showChosen() {
         static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_),
         static_cast<QWidget*>(watch_), static_cast<QWidget*>(feel_)})
     control->setEnabled(number >= 0);
+  title_->setText(number < 0
+                      ? QString{}
+                      : numbered(number, shown_.looks[static_cast<std::size_t>(number)].name));
+  // shown alone, it comes up with the others at the next click
+  alone_->setChecked(number >= 0 && shown_.looks[static_cast<std::size_t>(number)].visible &&
+                     std::ranges::count_if(shown_.looks, &StructureLook::visible) == 1);
   const QSignalBlocker quiet(opacity_), quiet_watch(watch_);
   showFeel(number < 0 ? StructureFeel{} : shown_.looks[static_cast<std::size_t>(number)].feel);
   const std::int64_t bytes =
       number < 0 ? 0 : shown_.looks[static_cast<std::size_t>(number)].distance_bytes;
   const QString size = QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
-  watch_->setText(bytes == 0 ? tr("Tell the distance") : tr("Tell the distance: %1").arg(size));
+  watch_->setText(bytes == 0 ? tr("Tell the distance")
+                             : tr("Tell the distance (%1 of memory)").arg(size));
   watch_->setToolTip(
       tr("Tells how far the tool is from the structure, beside the force and in recordings. Its "
          "distances need %1 of memory.")

@@ -20,6 +20,7 @@ class QTableWidget;
 
 namespace ui {
 
+class ElidedLabel;
 class NumberBox;
 
 /// The structures of the scan on view: a list with search, how each is seen, and how all are drawn.
@@ -60,7 +61,7 @@ class StructuresPanel : public QWidget {
   /// Whether a sound is to say it, too.
   void soundChosen(bool on);
   void renamed(int number, const QString& name);
-  /// This structure alone is to be seen.
+  /// This structure alone is to be seen, or again what was seen before.
   void aloneWanted(int number);
   /// All of them, or none.
   void allWanted(bool visible);
@@ -85,7 +86,8 @@ class StructuresPanel : public QWidget {
   Structures shown_;
   QLineEdit* search_;
   QTableWidget* list_;
-  QWidget* parts_;  ///< what is there with structures only
+  QWidget* parts_;      ///< what is there with structures only
+  ElidedLabel* title_;  ///< whose settings stand below
   QPushButton* go_;
   QPushButton* alone_;
   QPushButton* rename_;
