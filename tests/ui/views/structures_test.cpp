@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <vtkCamera.h>
+#include <vtkCellLocator.h>
+#include <vtkFeatureEdges.h>
+#include <vtkIdList.h>
+#include <vtkOBBTree.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <QApplication>
@@ -18,6 +23,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTableWidget>
@@ -168,7 +174,15 @@ TEST_F(Structures, AreListedSearchedShownAloneAndRenamed) {
   EXPECT_EQ(list().item(0, kName)->text(), kSecret);
   EXPECT_EQ(list().item(1, kName)->text(), "Canal <b>x</b>");
   EXPECT_EQ(list().item(2, kName)->text(), "Structure 3");
+  // what is chosen is named with its number, and stays in sight
+  const auto title = [&] { return part<QLabel>("structureTitle").text(); };
+  EXPECT_EQ(title(), "");
+  list().selectRow(2);
+  EXPECT_EQ(title(), "Structure 3");
+  EXPECT_TRUE(list().item(1, kName)->toolTip().contains("Structure 2: Canal &lt;b&gt;x"))
+      << list().item(1, kName)->toolTip().toStdString();
   part<QLineEdit>("structureSearch").setText("canal");
+  EXPECT_EQ(title(), "Structure 2: Canal <b>x</b>");
   EXPECT_TRUE(list().isRowHidden(0) && !list().isRowHidden(1) && list().isRowHidden(2));
   part<QLineEdit>("structureSearch").clear();
   EXPECT_FALSE(list().isRowHidden(0));
@@ -183,6 +197,16 @@ TEST_F(Structures, AreListedSearchedShownAloneAndRenamed) {
   EXPECT_EQ(nerves(), 0);
   EXPECT_EQ(list().item(0, kShown)->checkState(), Qt::Unchecked);
   EXPECT_EQ(list().item(1, kShown)->checkState(), Qt::Checked);
+  // once more brings back what was shown before
+  EXPECT_TRUE(part<QPushButton>("structureAlone").isChecked());
+  part<QPushButton>("structureAlone").click();
+  EXPECT_EQ(nerves(), at_first);
+  EXPECT_FALSE(part<QPushButton>("structureAlone").isChecked());
+  list().item(2, kShown)->setCheckState(Qt::Unchecked);
+  for (int click = 0; click < 2; ++click) part<QPushButton>("structureAlone").click();
+  EXPECT_EQ(list().item(0, kShown)->checkState(), Qt::Checked);
+  EXPECT_EQ(list().item(2, kShown)->checkState(), Qt::Unchecked);
+  part<QPushButton>("structureAlone").click();
   part<QPushButton>("structuresOn").click();
   EXPECT_EQ(nerves(), at_first);
   part<QPushButton>("structuresOff").click();
@@ -232,6 +256,17 @@ TEST_F(Structures, ThatIsChosenIsSeen) {
   const QPointF place = view.projected(kNerve / ui::kMmPerM);
   EXPECT_NEAR(place.x(), view.width() / 2.0, 6.0);
   EXPECT_NEAR(place.y(), view.height() / 2.0, 6.0);
+  // neither another cell nor a move in the list moves the camera
+  const Eigen::Matrix3d look = view.viewAxes();
+  list().setFocus();
+  QTest::keyClick(&list(), Qt::Key_Down);
+  EXPECT_TRUE(list().item(1, 2)->isSelected());
+  part<ui::NumberBox>("structureOpacity").setValue(50.0);
+  QTest::mouseClick(list().viewport(), Qt::LeftButton, {},
+                    list().visualItemRect(list().item(2, 5)).center());
+  EXPECT_TRUE(list().item(2, 2)->isSelected());
+  EXPECT_EQ(view.viewAxes(), look);
+  EXPECT_LT((views().cross_mm() - kNerve).norm(), 1.0);
   // by the key, too: the one at the back
   list().selectRow(2);
   QTest::keyClick(&list(), Qt::Key_Return);
@@ -272,10 +307,23 @@ TEST_F(Structures, AreNamedUnderThePointer) {
   QObject::connect(&view, &ui::VolumeView::pointedChanged, &view,
                    [&](const QString& words) { pointed = words; });
   hover(view, view.projected(kNerve / ui::kMmPerM));
-  EXPECT_TRUE(waitFor([&] { return pointed == kSecret; })) << pointed.toStdString();
+  // value, place and name are of one point: where the structure is met
+  const auto isAt = [&](const char* value, const char* name, const Eigen::Vector3d& p_mm) {
+    static const QRegularExpression words(
+        "^(\\S+)   LPS ([-.\\d]+), ([-.\\d]+), ([-.\\d]+) mm   (.*)$");
+    const auto match = words.match(pointed);
+    const Eigen::Vector3d said{match.captured(2).toDouble(), match.captured(3).toDouble(),
+                               match.captured(4).toDouble()};
+    return match.hasMatch() && match.captured(1) == value && match.captured(5) == name &&
+           (said - p_mm).norm() < 1.2;
+  };
+  EXPECT_TRUE(waitFor([&] {
+    return isAt("-1000", kSecret, kNerve - Vec3{0.0, 4.0, 0.0});
+  })) << pointed.toStdString();
   hover(view, view.projected(kCanal / ui::kMmPerM));
-  EXPECT_TRUE(waitFor([&] { return pointed.endsWith("   Canal <b>x</b>"); }))
-      << pointed.toStdString();
+  EXPECT_TRUE(waitFor([&] {
+    return isAt("1200", "Canal <b>x</b>", kCanal - Vec3{0.0, 3.0, 0.0});
+  })) << pointed.toStdString();
   EXPECT_EQ(part<QLabel>("pointed").textFormat(), Qt::PlainText);
   part<QCheckBox>("structuresThrough").click();
   hover(view, view.projected(kCanal / ui::kMmPerM) + QPointF{1.0, 0.0});
@@ -512,6 +560,88 @@ TEST_F(Structures, AShapeIsClosedSmoothAndWhereItsVoxelsAre) {
         EXPECT_EQ(map.codeAt(shape.places_mm.front()), 2) << side;
       }
     }
+  }
+}
+
+TEST_F(Structures, AThinShellIsWholeWithFewTriangles) {
+  const haptics::Grid grid = gridOf({44, 44, 44}, 1e-3, haptics::Mat3::Identity());
+  auto codes = std::make_shared<std::uint8_t[]>(static_cast<std::size_t>(grid.voxelCount()));
+  std::vector<Eigen::Vector3d> voxels;
+  std::ptrdiff_t n = 0;
+  for (int k = 0; k < 44; ++k)
+    for (int j = 0; j < 44; ++j)
+      for (int i = 0; i < 44; ++i, ++n) {
+        const Eigen::Vector3d p = grid.worldOf({double(i), double(j), double(k)}) * ui::kMmPerM;
+        if (p.norm() < 16.0 || p.norm() >= 18.0) continue;
+        codes[n] = 1;
+        voxels.push_back(p);
+      }
+  const ui::StructureMap map{grid, codes, {{}, {0}}};
+  const std::atomic<bool> never{false};
+  for (const std::int64_t most : {1'000'000, 4'000}) {
+    const auto mesh = ui::shapeOf(map, 0, ui::boxesOf(map, 1)[0], most, never).mesh;
+    ASSERT_NE(mesh, nullptr);
+    EXPECT_LE(mesh->GetNumberOfPolys(), most);
+    // closed
+    vtkNew<vtkFeatureEdges> edges;
+    edges->SetInputData(mesh);
+    edges->FeatureEdgesOff();
+    edges->BoundaryEdgesOn();
+    edges->NonManifoldEdgesOn();
+    edges->Update();
+    EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0) << most;
+    const auto at = [&](vtkIdType id) {
+      return Eigen::Vector3d(Eigen::Vector3d{mesh->GetPoint(id)} + grid.origin * ui::kMmPerM);
+    };
+    double volume = 0.0;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell) {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      mesh->GetCellPoints(cell, count, ids);
+      volume += at(ids[0]).dot(at(ids[1]).cross(at(ids[2]))) / 6.0;
+    }
+    EXPECT_NEAR(volume, double(voxels.size()), 0.06 * double(voxels.size())) << most;
+    vtkNew<vtkCellLocator> cells;
+    cells->SetDataSet(mesh);
+    cells->BuildLocator();
+    // each voxel is near it
+    double farthest = 0.0;
+    for (const Eigen::Vector3d& p : voxels) {
+      const Eigen::Vector3d p_L = p - grid.origin * ui::kMmPerM;
+      Eigen::Vector3d nearest;
+      vtkIdType cell = 0;
+      int part = 0;
+      double squared = 0.0;
+      cells->FindClosestPoint(p_L.data(), nearest.data(), cell, part, squared);
+      farthest = std::max(farthest, std::sqrt(squared));
+    }
+    EXPECT_LT(farthest, 1.4) << most;
+    vtkNew<vtkOBBTree> tree;
+    tree->SetDataSet(mesh);
+    tree->BuildLocator();
+    // from the middle outwards one meets two walls, the inner and the outer
+    int whole = 0;
+    constexpr int kRays = 500;
+    for (int ray = 0; ray < kRays; ++ray) {
+      const double z = 1.0 - 2.0 * (ray + 0.5) / kRays, round = std::sqrt(1.0 - z * z);
+      const Eigen::Vector3d along{round * std::cos(2.4 * ray), round * std::sin(2.4 * ray), z};
+      const Eigen::Vector3d from = -grid.origin * ui::kMmPerM, to = from + 21.0 * along;
+      vtkNew<vtkPoints> points;
+      vtkNew<vtkIdList> met;
+      tree->IntersectWithLine(from.data(), to.data(), points, met);
+      if (points->GetNumberOfPoints() != 2) continue;
+      const auto out = [&](vtkIdType m) {
+        vtkIdType count = 0;
+        const vtkIdType* ids = nullptr;
+        mesh->GetCellPoints(met->GetId(m), count, ids);
+        return (at(ids[1]) - at(ids[0])).cross(at(ids[2]) - at(ids[0])).dot(along);
+      };
+      const auto away = [&](vtkIdType m) {
+        return (Eigen::Vector3d{points->GetPoint(m)} - from).norm();
+      };
+      whole += out(0) < 0.0 && out(1) > 0.0 && away(1) - away(0) > 0.7 ? 1 : 0;
+    }
+    EXPECT_GE(whole, kRays - 5) << most;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDir>
+#include <QLayout>
 #include <QMenu>
 #include <QPushButton>
 #include <QTest>
@@ -24,9 +25,11 @@
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/views/structures_window.h"
 #include "tests/unit/datasets/dicom_label_bytes.h"
+#include "ui/controls/elided_label.h"
 #include "ui/controls/number_box.h"
 #include "ui/dialogs/report_moments.h"
 #include "ui/dialogs/series_browser.h"
+#include "ui/views/volume_view.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
 
@@ -101,11 +104,32 @@ TEST_F(StructuresTouch, TheNearestIsToldInTheCardTheListAndTheStatusLine) {
            card.rect().contains(QRect(large.mapTo(&card, QPoint{}), large.size()));
   })) << large.text().toStdString();
   window::keep(window::pictureOf(window()), "structures_near");
+  // the distance stands there whole, and a long name gives way to it
+  list().item(0, 2)->setText("Facial nerve, its vertical part (left)");
+  const auto& name = part<ui::ElidedLabel>("nearnessName0");
+  EXPECT_TRUE(waitFor([&] { return name.shownText().endsWith(QChar(0x2026)); }))
+      << name.shownText().toStdString();
+  EXPECT_GE(name.shownText().size(), 5);
+  EXPECT_TRUE(name.toolTip().contains("vertical part (left)")) << name.toolTip().toStdString();
+  const auto isWhole = [&] {
+    return large.width() >= large.fontMetrics().horizontalAdvance(large.text()) &&
+           card.rect().contains(QRect(large.mapTo(&card, QPoint{}), large.size()));
+  };
+  EXPECT_TRUE(isWhole()) << large.text().toStdString();
+  list().item(0, 2)->setText(kSecret);
+  // what is close is near, too: one limit takes the other with it
+  part<ui::NumberBox>("closeFrom").setValue(9.0);
+  EXPECT_EQ(part<ui::NumberBox>("nearFrom").value(), 9.0);
+  part<ui::NumberBox>("nearFrom").setValue(1.0);
+  EXPECT_EQ(part<ui::NumberBox>("closeFrom").value(), 1.0);
+  EXPECT_EQ(structures().limits(), (ui::NearLimits{1.0, 1.0}));
   // closer than the limits, it says so in words
   part<ui::NumberBox>("nearFrom").setValue(20.0);
   EXPECT_TRUE(waitFor([&] { return status().contains(", near"); })) << status().toStdString();
   part<ui::NumberBox>("closeFrom").setValue(20.0);
   EXPECT_TRUE(waitFor([&] { return status().contains(", close"); })) << status().toStdString();
+  EXPECT_TRUE(waitFor([&] { return large.text().endsWith(", close") && isWhole(); }))
+      << large.text().toStdString();
   window::keep(window::pictureOf(window()), "structures_close");
   // the tool moves to the other one
   bringTip(kSinus + Eigen::Vector3d{-6.0, 0.0, 0.0});
@@ -127,7 +151,22 @@ TEST_F(StructuresTouch, AreFeltAsTheUserChoosesAndRecordingsHaveIt) {
   list().selectRow(0);
   EXPECT_TRUE(feel().isEnabled());
   EXPECT_TRUE(part<ui::NumberBox>("structureMargin").isHidden());
-  chooseFeel(Kind::Guarded);
+  EXPECT_TRUE(list().isColumnHidden(4));
+  // the controls below keep their places, and the camera its own
+  const auto& below = part<QPushButton>("structuresOn");
+  const auto lookNow = [&] { return views().volume().viewAxes(); };
+  const QPoint at = below.mapTo(&window(), QPoint{});
+  const Eigen::Matrix3d look = lookNow();
+  for (const Kind kind : {Kind::Softer, Kind::Solid, Kind::NotThere, Kind::Guarded}) {
+    chooseFeel(kind);
+    QCoreApplication::sendPostedEvents();
+    window().layout()->activate();
+    EXPECT_EQ(below.mapTo(&window(), QPoint{}), at) << static_cast<int>(kind);
+  }
+  EXPECT_EQ(lookNow(), look);
+  EXPECT_EQ(list().item(0, 4)->text(), "Guarded");
+  EXPECT_EQ(list().item(1, 4)->text(), "");
+  EXPECT_FALSE(list().isColumnHidden(4));
   EXPECT_FALSE(part<ui::NumberBox>("structureMargin").isHidden());
   EXPECT_TRUE(part<ui::NumberBox>("structureStiffness").isHidden());
   EXPECT_TRUE(part<QCheckBox>("watchStructure").isChecked());
@@ -187,6 +226,17 @@ TEST_F(StructuresTouch, AreFeltAsTheUserChoosesAndRecordingsHaveIt) {
   EXPECT_EQ(part<ui::NumberBox>("structureStiffness").value(), 120.0);
 }
 
+TEST_F(StructuresTouch, ASolidOneIsNamedWhereItIsTouched) {
+  start();
+  list().selectRow(0);
+  chooseFeel(ui::StructureFeel::Kind::Solid);
+  ASSERT_TRUE(waitFor([&] { return isNear(0); }));
+  EXPECT_EQ(structures().solidAt(kNerve + Eigen::Vector3d{0.0, -3.9, 0.0}), kSecret);
+  EXPECT_EQ(structures().solidAt(kNerve + Eigen::Vector3d{0.0, -4.6, 0.0}), kSecret);
+  EXPECT_EQ(structures().solidAt(kNerve + Eigen::Vector3d{0.0, -7.0, 0.0}), "");
+  EXPECT_EQ(structures().solidAt(kCanal), "");
+}
+
 TEST_F(StructuresTouch, MemoryIsSaidBeforeItIsTakenAndRefusedWhereThereIsNone) {
   double free = 1e12;
   free_memory_ = [&free] { return free; };
@@ -218,7 +268,7 @@ TEST_F(StructuresTouch, MemoryIsSaidBeforeItIsTakenAndRefusedWhereThereIsNone) {
   EXPECT_NEAR(static_cast<double>(bytes), 2.0 * side * side * side,
               0.1 * static_cast<double>(bytes));
   const QString size = QLocale().formattedDataSize(bytes, 1, QLocale::DataSizeSIFormat);
-  EXPECT_EQ(part<QCheckBox>("watchStructure").text(), "Tell the distance: " + size);
+  EXPECT_EQ(part<QCheckBox>("watchStructure").text(), "Tell the distance (" + size + " of memory)");
   free = static_cast<double>(bytes);  // more is needed while it is made
   part<QCheckBox>("watchStructure").click();
   EXPECT_TRUE(message().contains("Distances to \"" + QString(kSecret) + "\": "))
