@@ -38,6 +38,7 @@
 #include "app/window/scan/loader.h"
 #include "app/window/structures/structures_controller.h"
 #include "app/window/views/marks_controller.h"
+#include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/views/structures_window.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/number_box.h"
@@ -190,6 +191,7 @@ TEST_F(Structures, AreListedSearchedShownAloneAndRenamed) {
   views().setCross(kNerve);
   ui::SliceView& axial = views().slice(Plane::Axial);
   const auto nerves = [&] { return window::count(window::pictureOf(axial), isNerve); };
+  window::afterTicks(*application_, 50);  // the window is laid out
   const int at_first = nerves();
   EXPECT_GT(at_first, 20);
   list().selectRow(1);
@@ -200,7 +202,7 @@ TEST_F(Structures, AreListedSearchedShownAloneAndRenamed) {
   // once more brings back what was shown before
   EXPECT_TRUE(part<QPushButton>("structureAlone").isChecked());
   part<QPushButton>("structureAlone").click();
-  EXPECT_EQ(nerves(), at_first);
+  EXPECT_NEAR(nerves(), at_first, 8);
   EXPECT_FALSE(part<QPushButton>("structureAlone").isChecked());
   list().item(2, kShown)->setCheckState(Qt::Unchecked);
   for (int click = 0; click < 2; ++click) part<QPushButton>("structureAlone").click();
@@ -208,18 +210,18 @@ TEST_F(Structures, AreListedSearchedShownAloneAndRenamed) {
   EXPECT_EQ(list().item(2, kShown)->checkState(), Qt::Unchecked);
   part<QPushButton>("structureAlone").click();
   part<QPushButton>("structuresOn").click();
-  EXPECT_EQ(nerves(), at_first);
+  EXPECT_NEAR(nerves(), at_first, 8);
   part<QPushButton>("structuresOff").click();
   EXPECT_EQ(nerves(), 0);
   list().item(0, kShown)->setCheckState(Qt::Checked);
-  EXPECT_EQ(nerves(), at_first);
+  EXPECT_NEAR(nerves(), at_first, 8);
   list().selectRow(0);
   list().setFocus();
   QTest::keyClick(&list(), Qt::Key_Space);
   EXPECT_EQ(nerves(), 0);
   EXPECT_EQ(list().item(0, kShown)->checkState(), Qt::Unchecked);
   QTest::keyClick(&list(), Qt::Key_Space);
-  EXPECT_EQ(nerves(), at_first);
+  EXPECT_NEAR(nerves(), at_first, 8);
 
   // another colour, in slices and in 3-D
   QTimer::singleShot(0, &window(), [] {
@@ -318,11 +320,11 @@ TEST_F(Structures, AreNamedUnderThePointer) {
            (said - p_mm).norm() < 1.2;
   };
   EXPECT_TRUE(waitFor([&] {
-    return isAt("-1000", kSecret, kNerve - Vec3{0.0, 4.0, 0.0});
+    return isAt("-1,000", kSecret, kNerve - Vec3{0.0, 4.0, 0.0});
   })) << pointed.toStdString();
   hover(view, view.projected(kCanal / ui::kMmPerM));
   EXPECT_TRUE(waitFor([&] {
-    return isAt("1200", "Canal <b>x</b>", kCanal - Vec3{0.0, 3.0, 0.0});
+    return isAt("1,200", "Canal <b>x</b>", kCanal - Vec3{0.0, 3.0, 0.0});
   })) << pointed.toStdString();
   EXPECT_EQ(part<QLabel>("pointed").textFormat(), Qt::PlainText);
   part<QCheckBox>("structuresThrough").click();

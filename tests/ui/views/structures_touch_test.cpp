@@ -107,10 +107,12 @@ TEST_F(StructuresTouch, TheNearestIsToldInTheCardTheListAndTheStatusLine) {
   // the distance stands there whole, and a long name gives way to it
   list().item(0, 2)->setText("Facial nerve, its vertical part (left)");
   const auto& name = part<ui::ElidedLabel>("nearnessName0");
-  EXPECT_TRUE(waitFor([&] { return name.shownText().endsWith(QChar(0x2026)); }))
-      << name.shownText().toStdString();
+  EXPECT_TRUE(waitFor([&] {
+    return name.shownText().startsWith("Faci") && name.shownText().endsWith(QChar(0x2026));
+  })) << name.shownText().toStdString();
   EXPECT_GE(name.shownText().size(), 5);
-  EXPECT_TRUE(name.toolTip().contains("vertical part (left)")) << name.toolTip().toStdString();
+  EXPECT_TRUE(waitFor([&] { return name.toolTip().contains("vertical part (left)"); }))
+      << name.toolTip().toStdString();
   const auto isWhole = [&] {
     return large.width() >= large.fontMetrics().horizontalAdvance(large.text()) &&
            card.rect().contains(QRect(large.mapTo(&card, QPoint{}), large.size()));
@@ -155,12 +157,12 @@ TEST_F(StructuresTouch, AreFeltAsTheUserChoosesAndRecordingsHaveIt) {
   // the controls below keep their places, and the camera its own
   const auto& below = part<QPushButton>("structuresOn");
   const auto lookNow = [&] { return views().volume().viewAxes(); };
+  window::afterTicks(*application_, 50);  // the window is laid out
   const QPoint at = below.mapTo(&window(), QPoint{});
   const Eigen::Matrix3d look = lookNow();
-  for (const Kind kind : {Kind::Softer, Kind::Solid, Kind::NotThere, Kind::Guarded}) {
+  for (const Kind kind : {Kind::Softer, Kind::AsScan, Kind::Solid, Kind::NotThere, Kind::Guarded}) {
     chooseFeel(kind);
-    QCoreApplication::sendPostedEvents();
-    window().layout()->activate();
+    QCoreApplication::processEvents();
     EXPECT_EQ(below.mapTo(&window(), QPoint{}), at) << static_cast<int>(kind);
   }
   EXPECT_EQ(lookNow(), look);
