@@ -142,10 +142,13 @@ TEST(LabelWriter, KeepsAnyNameAndAnyNumberOfStructures) {
       ASSERT_TRUE(map.mark(701, std::uint8_t(n)));  // once more is nothing
     }
     ASSERT_NO_FATAL_FAILURE(expectReadAlike(map, workshop));
-    const auto path = workshop.folder() / "labels.seg.nrrd";
-    EXPECT_EQ(survey(path)->series.size(), overlapping == 0 ? 1U : 3U);
+    // a layer for each
+    const auto layers = survey(workshop.folder() / "volume.nrrd");
+    ASSERT_TRUE(layers) << sentence(layers.error());
+    EXPECT_EQ(layers->series.size(), overlapping == 0 ? 1U : 3U);
   }
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(workshop.folder()), {}), 1);
+  // the labels, and the volume that the test made of them
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(workshop.folder()), {}), 2);
   const auto map = phantomLabels("mastoid", centredGrid(8, 5e-3)).value();
   EXPECT_FALSE(writeLabels(map, workshop.folder() / "none" / "labels.seg.nrrd"));
   const std::atomic<bool> cancel = true;
