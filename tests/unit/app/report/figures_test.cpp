@@ -192,8 +192,8 @@ TEST(Figures, AContactIsAnInjuryWhileTheStructureIsGuarded) {
   ASSERT_EQ(of.encounters.size(), 3U);
   EXPECT_FALSE(of.encounters[0].guarded);
   EXPECT_TRUE(of.encounters[1].guarded);
-  EXPECT_EQ(of.encounters[1].from, 0.020);
-  EXPECT_EQ(of.encounters[1].to, 0.059);
+  EXPECT_DOUBLE_EQ(of.encounters[1].from, 0.020);
+  EXPECT_DOUBLE_EQ(of.encounters[1].to, 0.059);
   EXPECT_EQ(of.encounters[1].push, 1.0);
   EXPECT_FALSE(of.encounters[2].guarded);
 }
