@@ -205,7 +205,6 @@ TEST_F(Opening, AFolderOfOneSoundSeriesLoadsAtOnceAndClosesAListThatIsOpen) {
   open(mixedSeries());
   ASSERT_TRUE(waitFor([&] { return browser() != nullptr; }));
   open(anyScans() / "philips_head_phantom/bone_1mm");
-  EXPECT_EQ(browser(), nullptr);
   ASSERT_TRUE(loadedBegins("bone_1mm —"));
   EXPECT_EQ(browser(), nullptr);
   EXPECT_EQ(volume().grid.dims, (std::array<std::int64_t, 3>{512, 512, 48}));
@@ -546,7 +545,9 @@ TEST_F(Opening, PlacesAreOfferedAgainUntilTheyAreForgotten) {
   std::filesystem::copy(tiltedSeries().parent_path() / "slicecount", own / "one & two");
   std::filesystem::copy(anyScans() / "nrrd_oddities/derived_from_tooth/raw_le.nrrd",
                         own / "a.nrrd");
-  std::filesystem::copy(own / "a.nrrd", std::filesystem::path(disk.tmp().toStdString()) / "t.nrrd");
+  // of another grid: what has that of the scan on view may be its structures, and the user is asked
+  std::filesystem::copy(anyScans() / "nrrd_oddities/derived_from_tooth/ascii.nrrd",
+                        std::filesystem::path(disk.tmp().toStdString()) / "t.nrrd");
   started();
   EXPECT_TRUE(places().isEmpty());
   // of a slice its folder is kept, of a volume the file, of a temporary one nothing
