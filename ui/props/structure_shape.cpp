@@ -22,10 +22,10 @@
 namespace ui {
 namespace {
 
-constexpr double kMostVoxels = 8e6;  // of a mask: beyond that they are averaged
+constexpr double kMostVoxels = 24e6;  // of a mask: beyond that they are averaged
 constexpr int kPlaces = 12;
 // the mask is 0 and 255: half-way for whole voxels; of averages less, so that thin walls stay
-constexpr double kWholeLevel = 127.5, kAverageLevel = 76.0;
+constexpr double kWholeLevel = 127.5, kAverageLevel = 60.0;
 constexpr int kSmoothings = 20;
 constexpr double kPassBand = 0.08;
 constexpr double kMostMoved = 0.3;
