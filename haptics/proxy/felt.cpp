@@ -9,7 +9,7 @@ namespace haptics {
 namespace {
 
 constexpr double kGiveTime = 0.005;   // s in which tissue gives way
-constexpr double kRounding = 0.5e-3;  // m
+constexpr double kRounding = 0.5e-3;  // m, of the least distance to what is guarded
 
 /// m/N: how much what the proxy bears on gives way, by the share of the force on it.
 double complianceUnder(const Watch& watch, const Scene& scene, const Proxy& proxy) HAPTICS_RT {
@@ -54,30 +54,12 @@ Wrench guardAt(const Watch::Watched& guarded, const Scene& scene, const Pose& X_
   const DistanceMap& map = guarded.distances;
   const NearestPoint nearest = nearestPoint(map, scene, X_WD, feel.margin);
   if (nearest.index < 0) return {};
-  // Where another point becomes the nearest, the force would jump: the least distance has an edge
-  // there. So it is a least that is rounded over kRounding: below the true one by that at most.
   const double rounding = std::min(kRounding, 0.25 * feel.margin);
-  NearPoints near;
-  if (!nearPoints(map, scene, X_WD, nearest.distance + 2.0 * rounding, near)) {
-    near.clear();
-    near.push(nearest);
-  }
-  double least = std::numeric_limits<double>::infinity();
-  Wrench slope;
-  for (const NearestPoint& point : near) {
-    // of the two, a polynomial; `share` is the gradient's, too
-    const double share = std::clamp(0.5 + 0.5 * (least - point.distance) / rounding, 0.0, 1.0);
-    if (share == 0.0) continue;
-    const Vec3 arm = X_WD.linear() * scene.tool.shell.points[std::size_t(point.index)];
-    const Vec3 of_point = map.gradientAt(X_WD.translation() + arm);
-    least =
-        (share < 1.0 ? (1.0 - share) * (least - share * rounding) : 0.0) + share * point.distance;
-    slope.force = (1.0 - share) * slope.force + share * of_point;
-    slope.torque = (1.0 - share) * slope.torque + share * arm.cross(of_point);
-  }
-  const double size =
-      feel.most / map.steepest * std::clamp(1.0 - least / (feel.margin - rounding), 0.0, 1.0);
-  return {.force = size * slope.force, .torque = size * slope.torque};
+  const RoundedLeast least = roundedLeast(map, scene, X_WD, nearest, rounding);
+  // it lies below the nearest's distance by no more, so nothing is felt beyond the margin
+  const double near = std::clamp(1.0 - least.distance / (feel.margin - rounding), 0.0, 1.0);
+  const double size = feel.most / map.steepest * near;
+  return {.force = size * least.slope.force, .torque = size * least.slope.torque};
 }
 
 Wrench Felt::shaped(const Watch& watch, const Scene& scene, const Proxy& proxy, const Pose& X_WD,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace haptics {
@@ -28,8 +29,9 @@ class Nearest {
                                      to_{to},
                                      found_{below} {}
 
-  /// Those that are nearer than `below`.
-  bool collect(NearPoints& near) HAPTICS_RT {
+  /// Calls f(point) for those that are nearer than `below`, in one order, until it returns false.
+  template <class F>
+  void forNearer(F&& f) HAPTICS_RT {
     for (int n = 0; n < static_cast<int>(tree_.nodes.size());) {
       const ShellTree::Node& node = tree_.nodes[std::size_t(n)];
       if (!mayHaveNearer(partAt(n), node)) {
@@ -40,10 +42,9 @@ class Nearest {
       if (!node.leaf) continue;
       for (auto i = std::size_t(node.first); i < std::size_t(node.first + node.count); ++i) {
         const double distance = map_.atIndex(to_({tree_.x[i], tree_.y[i], tree_.z[i]}));
-        if (distance < found_.distance && !near.push({distance, tree_.index[i]})) return false;
+        if (distance < found_.distance && !f(NearestPoint{distance, tree_.index[i]})) return;
       }
     }
-    return true;
   }
 
   NearestPoint find() HAPTICS_RT {
@@ -115,10 +116,35 @@ NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose
   return Nearest{map, scene.tree, ToSamples{map, X_WT}, below}.find();
 }
 
-bool nearPoints(const DistanceMap& map, const Scene& scene, const Pose& X_WT, double below,
-                NearPoints& near) HAPTICS_RT {
-  near.clear();
-  return Nearest{map, scene.tree, ToSamples{map, X_WT}, below}.collect(near);
+RoundedLeast roundedLeast(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
+                          const NearestPoint& nearest, double rounding) HAPTICS_RT {
+  const auto slopeAt = [&](int point) {
+    const Vec3 arm = X_WT.linear() * scene.tool.shell.points[std::size_t(point)];
+    const Vec3 gradient = map.gradientAt(X_WT.translation() + arm);
+    return Wrench{.force = gradient, .torque = arm.cross(gradient)};
+  };
+  RoundedLeast least{.distance = std::numeric_limits<double>::infinity(), .slope = {}};
+  int count = 0;
+  // one that is farther than twice the rounding has no part in it
+  const ToSamples to{map, X_WT};
+  Nearest{map, scene.tree, to, nearest.distance + 2.0 * rounding}.forNearer(
+      [&](const NearestPoint& point) {
+        // the polynomial between the least so far and this one; its gradient is the mean of theirs
+        const double share =
+            std::clamp(0.5 + 0.5 * (least.distance - point.distance) / rounding, 0.0, 1.0);
+        if (share == 1.0) {
+          least = {point.distance, slopeAt(point.index)};
+        } else if (share > 0.0) {
+          const Wrench slope = slopeAt(point.index);
+          least.distance =
+              (1.0 - share) * (least.distance - share * rounding) + share * point.distance;
+          least.slope.force += share * (slope.force - least.slope.force);
+          least.slope.torque += share * (slope.torque - least.slope.torque);
+        }
+        return ++count < kMostRounded;
+      });
+  if (count < kMostRounded) return least;
+  return {nearest.distance, slopeAt(nearest.index)};
 }
 
 void measure(const Watch& watch, const ShellTree& tree, const Vec3& tip, const Pose& X_WP,

@@ -69,11 +69,19 @@ struct NearestPoint {
 NearestPoint nearestPoint(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
                           double below) HAPTICS_RT;
 
-/// The shell points that are nearer than `below`, always in the same order. Returns false if there
-/// are more than have room.
-using NearPoints = FixedVector<NearestPoint, 256>;
-bool nearPoints(const DistanceMap& map, const Scene& scene, const Pose& X_WT, double below,
-                NearPoints& near) HAPTICS_RT;
+/// A least distance over the shell points that has no edges: where another point becomes the
+/// nearest, it is rounded, and lies below the least by `rounding` at most. So its slope turns from
+/// one point's to the next along a way, and does not jump.
+struct RoundedLeast {
+  double distance = 0.0;  ///< m
+  Wrench slope;           ///< its gradient: along motions of the tool's origin, and turns about it
+};
+/// Of the tool at X_WT, where the nearest point is this one. It takes the points in one order
+/// always, so it is a function of the pose alone. Beyond kMostRounded points that are about as near
+/// it is the nearest's own distance.
+RoundedLeast roundedLeast(const DistanceMap& map, const Scene& scene, const Pose& X_WT,
+                          const NearestPoint& nearest, double rounding) HAPTICS_RT;
+inline constexpr int kMostRounded = 2000;  ///< some 0.1 ms
 
 /// Measures the distances of the tool at X_WP to every structure of the watch: of its tip, in the
 /// tool frame [m], and the least over all of its points, which are in the tree; it leaves out those
