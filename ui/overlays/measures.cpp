@@ -30,17 +30,6 @@ constexpr std::size_t kMostRemoved = 100;
 // light on a dark rim: seen on bone and on air
 using style::kChosenMeasure, style::kMeasure, style::kMeasureGround, style::kMeasureRim;
 
-void drawLine(QPainter& painter, const QPolygonF& line, const QColor& ink, double width,
-              bool dashed) {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kMeasureRim, width + 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPolyline(line);
-  QPen pen(ink, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
-  if (dashed) pen.setDashPattern({4.0, 3.5});
-  painter.setPen(pen);
-  painter.drawPolyline(line);
-}
-
 void drawMarkHandle(QPainter& painter, QPointF at, const QColor& ink, bool hollow) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(kMeasureRim, 4.5));
@@ -118,19 +107,6 @@ std::pair<QRectF, double> labelPlace(QSizeF size, QPointF anchor, const QPolygon
     best = box;
   }
   return {best, least};
-}
-
-void drawLabel(QPainter& painter, const QRectF& box, const QString& text) {
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(kMeasureGround);
-  painter.drawRoundedRect(box, 3.0, 3.0);
-  painter.setPen(kChosenMeasure);
-  painter.drawText(box, Qt::AlignCenter, text);
-}
-
-QSizeF labelSize(const QFont& font, const QString& text) {
-  const QSizeF size = QFontMetricsF(font).size(0, text);
-  return {std::ceil(size.width()) + 10.0, std::ceil(size.height()) + 4.0};
 }
 
 QFont labelFont(const ViewGeometry& view) {

@@ -120,6 +120,7 @@ StructuresController::StructuresController(ui::Views& views, ui::Messages& messa
     saved.feel = feel_;
   });
   connectPanel();
+  views.volume().addOverlay(near_line_);
 }
 
 void StructuresController::connectPanel() {
@@ -502,7 +503,29 @@ void StructuresController::showNear(const haptics::Snapshot& snapshot) {
   near_shown_ = !lines.empty();
   panel_->showNear(rows);
   sound_.show(lines, limits_);
+  near_line_.show(wayToNearest(snapshot));
   emit nearChanged(lines, limits_);
+}
+
+std::optional<ui::NearLine::Way> StructuresController::wayToNearest(
+    const haptics::Snapshot& snapshot) const {
+  const auto* const nearest =
+      std::ranges::min_element(snapshot.near, {}, [](const auto& near) { return near.tip; });
+  if (nearest == snapshot.near.end() || !shared_.shown) return {};
+  const auto known = distances_.find(nearest->structure);
+  if (known == distances_.end() || !(nearest->tip > 0.0F) ||
+      nearest->tip >= float(known->second.told()))
+    return {};
+  const haptics::Vec3 tip = snapshot.X_WP * shared_.shown->scene->tool.shell.tip;
+  // down the slope of the distance, which is as long as the distance
+  haptics::Vec3 place = tip;
+  for (int n = 0; n < 4; ++n) {
+    const haptics::Vec3 slope = known->second.gradientAt(place);
+    if (!(slope.squaredNorm() > 0.0)) break;
+    place -= known->second.at(place) / slope.squaredNorm() * slope;
+  }
+  return ui::NearLine::Way{tip * ui::kMmPerM, place * ui::kMmPerM,
+                           ui::distanceWords({.distance_mm = double(nearest->tip) * ui::kMmPerM})};
 }
 
 QString StructuresController::solidAt(const Eigen::Vector3d& p_W_mm) const {

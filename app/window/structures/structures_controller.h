@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "datasets/labels/label_map.h"
 #include "haptics/scene/watch.h"
 #include "haptics/structures/distance_map.h"
+#include "ui/overlays/near_line.h"
 #include "ui/panels/nearness_lines.h"
 #include "ui/props/structure_shape.h"
 #include "ui/window/loading.h"
@@ -74,6 +76,7 @@ class StructuresController : public QObject {
   /// Distances that are known, by number.
   const std::map<int, haptics::DistanceMap>& distances() const { return distances_; }
   const ui::NearLimits& limits() const { return limits_; }
+  const ui::NearLine& nearLine() const { return near_line_; }
   /// How structures are felt now, as a recording stores it; empty: as the scan has them.
   const QString& felt() const { return felt_; }
 
@@ -120,6 +123,8 @@ class StructuresController : public QObject {
   void close();
   void makeShapes(std::vector<haptics::VoxelBox> boxes);
   void goTo(int number);
+  /// From the tool's tip to the nearest of the watched structures; none where it is inside or far.
+  std::optional<ui::NearLine::Way> wayToNearest(const haptics::Snapshot& snapshot) const;
   void watch(int number, bool watched);
   void feel(int number, const ui::StructureFeel& feel);
   /// Whether one more may be watched; says so if not.
@@ -141,6 +146,7 @@ class StructuresController : public QObject {
   std::function<double()> free_memory_;
   ui::StructuresPanel* panel_;
   NearSound sound_;
+  ui::NearLine near_line_;
   std::weak_ptr<const haptics::Volume> scan_;  ///< on view
   bool offered_ = false;                       ///< what was found with the scan on view
   std::filesystem::path found_at_;

@@ -29,6 +29,7 @@
 #include "ui/controls/number_box.h"
 #include "ui/dialogs/report_moments.h"
 #include "ui/dialogs/series_browser.h"
+#include "ui/style/scene_colours.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/menus.h"
 #include "ui/window/messages.h"
@@ -96,6 +97,23 @@ TEST_F(StructuresTouch, TheNearestIsToldInTheCardTheListAndTheStatusLine) {
   EXPECT_TRUE(status().contains(" mm")) << status().toStdString();
   EXPECT_TRUE(waitFor([&] { return list().item(0, 3)->text() == said + " mm"; }))
       << list().item(0, 3)->text().toStdString() << " " << said.toStdString();
+  // a line leads from the tip to the structure, and has its length
+  const auto wayNow = [&] { return structures().nearLine().way(); };
+  ASSERT_TRUE(waitFor([&] {
+    return wayNow() && wayNow()->words ==
+                           QLocale().toString(double(nearOf(0).tip) * ui::kMmPerM, 'f', 1) + " mm";
+  }));
+  EXPECT_LT((wayNow()->tip_mm - tip() * ui::kMmPerM).norm(), 0.1);
+  EXPECT_LT((wayNow()->structure_mm - (kNerve + Eigen::Vector3d{4.0, 0.0, 0.0})).norm(), 0.8);
+  views().volume().lookFrom(ui::Side::Anterior);
+  const auto isLine = [](QColor c) {
+    const QColor line = ui::style::kMeasure;
+    return std::abs(c.red() - line.red()) + std::abs(c.green() - line.green()) +
+               std::abs(c.blue() - line.blue()) <
+           60;
+  };
+  EXPECT_GT(window::count(views().volume().picture(1.0), isLine), 10);
+  window::keep(views().volume().picture(1.0), "structures_near_line");
   // beside the force, in whatever form the card has
   const auto& card = part<QWidget>("forceCard");
   auto& large = part<QLabel>("nearness0");
@@ -144,6 +162,8 @@ TEST_F(StructuresTouch, TheNearestIsToldInTheCardTheListAndTheStatusLine) {
   }
   EXPECT_TRUE(waitFor([&] { return !status().contains("Nearest"); })) << status().toStdString();
   EXPECT_EQ(list().item(2, 3)->text(), "");
+  EXPECT_FALSE(wayNow());
+  EXPECT_EQ(window::count(views().volume().picture(1.0), isLine), 0);
 }
 
 TEST_F(StructuresTouch, AreFeltAsTheUserChoosesAndRecordingsHaveIt) {
