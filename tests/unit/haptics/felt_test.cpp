@@ -206,6 +206,50 @@ TEST(Guard, GivesNoEnergyOverAClosedPath) {
   EXPECT_GT(felt, 4.0);
 }
 
+TEST(Guard, KeepsAHandFromANerveThatItsLimitAllows) {
+  const auto scene = ballScene();
+  const double radius = scene->tool.shell.radius;
+  Random random{32};
+  for (int n = 0; n < made::trials(20); ++n) {
+    // a nerve, which the tool may slip around, and a plate, which it cannot
+    const bool plate = n % 2 == 0;
+    const auto toNerve = [plate](const Vec3& p) {
+      return (plate ? std::abs(p.x()) : std::hypot(p.x(), p.z())) - 1e-3;
+    };
+    const double margin = random.in(2e-3, 6e-3);
+    const Watch::Watched nerve{1,
+                               made::distanceMap(datasets::centredGrid(61, 1e-3), toNerve),
+                               {.kind = Feel::Kind::Guarded, .margin = margin, .most = 20.0}};
+    const double turn = plate ? 0.0 : random.in(0.0, 2.0 * M_PI);
+    const Vec3 away(std::cos(turn), 0.0, std::sin(turn));
+    haptics::Grip grip;
+    haptics::PassivityObserver observer;
+    Wrench felt;
+    double least = 1.0, pressed = 0.0;
+    grip.X_WD = made::at(15e-3 * away);
+    constexpr int kWay = 2000;  // ticks: towards the nerve, rest, and back
+    for (int tick = 0; tick < 3 * kWay; ++tick) {
+      const double share = std::clamp(1.0 - std::abs(tick - 1.5 * kWay) / kWay + 0.5, 0.0, 1.0);
+      // as deep as pulls with 10 N where the guard holds that
+      const Vec3 hand = (15e-3 - share * (15e-3 - radius + 10.5 / grip.stiffness)) * away;
+      const Pose before = grip.X_WD;
+      grip.advance(made::at(hand), felt, kPeriod);
+      observer.add(felt, haptics::motionBetween(before, grip.X_WD));
+      felt = haptics::guardAt(nerve, *scene, grip.X_WD);
+      double near = 1.0;
+      for (const Vec3& p : scene->tool.shell.points) near = std::min(near, toNerve(grip.X_WD * p));
+      least = std::min(least, near);
+      if (near > margin + 0.5e-3) {
+        EXPECT_EQ(felt.force.norm(), 0.0) << near;
+      }
+      pressed = std::max(pressed, felt.force.norm());
+    }
+    EXPECT_GT(least, 0.0) << margin;
+    EXPECT_GT(pressed, plate ? 10.0 : 3.0) << margin;
+    EXPECT_LT(observer.energy(), 1e-3) << margin;
+  }
+}
+
 // a tool that is wider than a nerve, held in it by a hand that rests
 TEST(Guard, DoesNotShakeAHandThatRests) {
   const auto scene = ballScene();
