@@ -260,6 +260,9 @@ def from_hdf5(path):
                 check(dataset.chunks and dataset.shuffle and dataset.compression == "gzip",
                       f"{name} is not chunked and compressed")
         file.visititems(look)
+        for name, unit in (("time", "ns"), ("device/position", "m"), ("device/orientation", "1"),
+                           ("proxy/position", "m"), ("force", "N"), ("torque", "N.m"), ("events/time", "ns")):
+            check(file[name].attrs["unit"] in (unit, unit.encode()), f"hdf5: {name} in {file[name].attrs['unit']}")
         check(file["time"].dtype == "int64" and file["force"].dtype == "float64", "types")
         scene = file["scenes/1"].attrs
         check(scene["tool"] == "probe" and list(scene["dims"]) == [64, 64, 64] and
