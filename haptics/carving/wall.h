@@ -50,6 +50,10 @@ class WallProfile {
   }
   /// Voxels before the wall: beyond, all are background.
   double back() const { return back_; }
+  /// Per voxel, at the wall.
+  double slope() const { return slope_; }
+  /// Per voxel, the most anywhere on the side that is cut away from.
+  double steepest() const { return slope_ + rise_; }
 
   /// A row along which the distance is at(i) = at_zero + i step, for first <= i < end.
   void cutLinear(std::int64_t first, std::int64_t end, double at_zero, double step,

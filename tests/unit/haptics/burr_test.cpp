@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A burr leaves a wall that has its place and its normal, and counts what it took, on any grid and
+// type of voxel.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
+#include "haptics/carving/burr.h"
+#include "haptics/field/scalar_field.h"
+#include "tests/support/made.h"
+
+namespace {
+
+using datasets::Random;
+using haptics::BurrCarving;
+using haptics::BurrCut;
+using haptics::Grid;
+using haptics::Removed;
+using haptics::ScalarField;
+using haptics::ScalarType;
+using haptics::Vec3;
+using haptics::Volume;
+
+/// A solid that fills its grid, and a voxel of air, which is the background.
+struct Matter {
+  ScalarType type;
+  double solid, isovalue, background;
+};
+constexpr Matter kBone{ScalarType::Int16, 1200.0, 300.0, -1024.0};
+constexpr Matter kBytes{ScalarType::UInt8, 200.0, 90.0, 0.0};
+constexpr Matter kFloats{ScalarType::Float32, 1200.0, 300.0, -1024.0};
+
+Volume solidOf(const Grid& grid, const Matter& matter) {
+  return datasets::filled(grid, matter.type, [&](auto i, auto j, auto k) {
+    return i + j + k == 0 ? matter.background : matter.solid;
+  });
+}
+
+Grid gridOf(double radius, const Vec3& spacing, Random& random) {
+  Grid grid;
+  grid.spacing = spacing;
+  for (int a = 0; a < 3; ++a)
+    grid.dims[std::size_t(a)] = 2 * std::int64_t(std::ceil(radius / spacing[a])) + 13;
+  grid.direction = random.rotation().toRotationMatrix();
+  grid.origin = random.box(0.1);
+  return grid;
+}
+
+Vec3 middleOf(const Grid& grid) {
+  return 0.5 * Vec3(double(grid.dims[0] - 1), double(grid.dims[1] - 1), double(grid.dims[2] - 1));
+}
+
+/// The voxels of a volume that nobody else has.
+void* voxelsOf(const Volume& volume) { return const_cast<void*>(volume.voxels.get()); }
+
+Removed carve(const Volume& volume, const BurrCut& cut, std::int64_t rows = 1'000'000) {
+  BurrCarving carving{volume, cut};
+  Removed removed;
+  while (!carving.isDone()) removed.add(carving.advance(voxelsOf(volume), rows));
+  return removed;
+}
+
+struct Errors {
+  double place = 0.0, normal = 0.0;  ///< rms: voxels, degrees
+  double mean = 0.0;                 ///< voxels
+};
+
+/// Of the wall around a ball at `centre` [m].
+Errors errorsAround(const Volume& volume, const BurrCut& cut, Random& random) {
+  const ScalarField field{made::shared(volume)};
+  const double voxel = std::cbrt(volume.grid.spacing.prod());
+  Errors errors;
+  constexpr int kRays = 600;
+  for (int n = 0; n < kRays; ++n) {
+    const Vec3 way = random.direction();
+    auto budget = haptics::Budget::counted(1'000'000);
+    const Vec3 from = cut.to_W + (cut.radius - 1.5 * voxel) * way,
+               to = cut.to_W + (cut.radius + 1.5 * voxel) * way;
+    const double t =
+        field.firstReach(field.indexOf(from), field.indexOf(to), cut.isovalue, 1e-9, budget);
+    EXPECT_LT(t, 1.5);
+    const Vec3 met = from + t * (to - from);
+    const double off = ((met - cut.to_W).norm() - cut.radius) / voxel;
+    const Vec3 normal = field.centralGradient(field.indexOf(met)).normalized();
+    const double turned = std::acos(std::clamp(normal.dot(way), -1.0, 1.0)) * 180.0 / M_PI;
+    errors.place += off * off / kRays;
+    errors.mean += off / kRays;
+    errors.normal += turned * turned / kRays;
+  }
+  errors.place = std::sqrt(errors.place);
+  errors.normal = std::sqrt(errors.normal);
+  return errors;
+}
+
+TEST(Burr, LeavesABall) {
+  Random random{47};
+  for (const Matter& matter : {kBone, kBytes, kFloats})
+    for (const double radius : {1.5, 2.0, 3.0, 4.0, 6.0, 10.0}) {
+      Errors worst;
+      for (int n = 0; n < made::trials(10); ++n) {
+        const Grid grid = gridOf(1e-3 * radius, Vec3::Constant(1e-3), random);
+        const Volume volume = solidOf(grid, matter);
+        const Vec3 centre = grid.worldOf(middleOf(grid) + random.box(0.5));
+        const BurrCut cut{centre, centre, 1e-3 * radius, matter.isovalue};
+        carve(volume, cut);
+        const Errors errors = errorsAround(volume, cut, random);
+        worst.place = std::max(worst.place, errors.place);
+        worst.normal = std::max(worst.normal, errors.normal);
+        worst.mean = std::max(worst.mean, std::abs(errors.mean));
+      }
+      const bool large = radius >= 3.0;
+      EXPECT_LE(worst.place, large ? 0.02 : 0.04) << haptics::nameOf(matter.type) << radius;
+      EXPECT_LE(worst.normal, large ? 1.3 : 2.5) << haptics::nameOf(matter.type) << radius;
+      EXPECT_LE(worst.mean, 0.01) << haptics::nameOf(matter.type) << radius;
+      std::printf("%s %g: %.3f voxel, mean %.3f, %.2f degrees\n", haptics::nameOf(matter.type),
+                  radius, worst.place, worst.mean, worst.normal);
+    }
+}
+
+TEST(Burr, LeavesABallWhereVoxelsAreUneven) {
+  Random random{48};
+  for (const double radius : {3.0, 6.0}) {
+    Errors worst;
+    for (int n = 0; n < made::trials(10); ++n) {
+      const Grid grid = gridOf(1e-3 * radius, 1e-3 * Vec3(0.5, 0.8, 1.0), random);
+      const Volume volume = solidOf(grid, kBone);
+      const Vec3 centre = grid.worldOf(middleOf(grid) + random.box(0.5));
+      const BurrCut cut{centre, centre, 1e-3 * radius, kBone.isovalue};
+      carve(volume, cut);
+      const Errors errors = errorsAround(volume, cut, random);
+      worst.place = std::max(worst.place, errors.place);
+      worst.normal = std::max(worst.normal, errors.normal);
+    }
+    EXPECT_LE(worst.place, 0.04) << radius;
+    EXPECT_LE(worst.normal, 2.5) << radius;
+    std::printf("uneven %g: %.3f voxel, %.2f degrees\n", radius, worst.place, worst.normal);
+  }
+}
+
+TEST(Burr, CountsTheVolumeOfABall) {
+  Random random{49};
+  for (const Matter& matter : {kBone, kBytes, kFloats})
+    for (const double radius : {2.0, 3.0, 5.0, 8.0, 12.0})
+      for (const bool uneven : {false, true}) {
+        const Vec3 spacing = 1e-3 * (uneven ? Vec3(0.6, 0.8, 1.0) : Vec3(1.0, 1.0, 1.0));
+        const Grid grid = gridOf(1e-3 * radius, spacing, random);
+        const Volume volume = solidOf(grid, matter);
+        const Vec3 centre = grid.worldOf(middleOf(grid) + random.box(0.5));
+        const BurrCut cut{centre, centre, 1e-3 * radius, matter.isovalue};
+        const Removed removed = carve(volume, cut, 7);
+        const double ball = 4.0 / 3.0 * M_PI * std::pow(1e-3 * radius, 3);
+        const double off = removed.volume / ball - 1.0;
+        EXPECT_NEAR(off, 0.0, radius < 3.0 ? 0.02 : 0.01)
+            << haptics::nameOf(matter.type) << " " << radius << (uneven ? " uneven" : "");
+        std::printf("%s %g%s: %.2f %%\n", haptics::nameOf(matter.type), radius,
+                    uneven ? " uneven" : "", 1e2 * off);
+        EXPECT_EQ(carve(volume, cut).volume, 0.0);
+      }
+}
+
+// as a burr moves on, tick by tick
+TEST(Burr, CountsTheVolumeOfAGroove) {
+  Random random{52};
+  for (const Matter& matter : {kBone, kBytes})
+    for (const double radius : {3.0, 6.0}) {
+      const Grid grid = gridOf(1e-3 * (radius + 5.0), Vec3::Constant(1e-3), random);
+      const Volume volume = solidOf(grid, matter);
+      const Vec3 way = 10e-3 * random.direction();
+      const Vec3 begin = grid.worldOf(middleOf(grid)) - 0.5 * way;
+      Removed removed;
+      constexpr int kTicks = 200;
+      for (int n = 0; n < kTicks; ++n)
+        removed.add(carve(volume, {begin + n * way / kTicks, begin + (n + 1) * way / kTicks,
+                                   1e-3 * radius, matter.isovalue}));
+      const double R = 1e-3 * radius;
+      const double groove = 4.0 / 3.0 * M_PI * R * R * R + M_PI * R * R * way.norm();
+      EXPECT_NEAR(removed.volume / groove, 1.0, 0.015) << haptics::nameOf(matter.type) << radius;
+      std::printf("%s groove %g: %.2f %%\n", haptics::nameOf(matter.type), radius,
+                  1e2 * (removed.volume / groove - 1.0));
+    }
+}
+
+TEST(Burr, CutsTheSameInAnyOrderAndAnyParts) {
+  Random random{50};
+  for (const ScalarType type : made::kTypes) {
+    const Grid grid = made::oddGrid(int(type), {33, 29, 31}, random);
+    const Volume volume = made::randomVolume(grid, type, random);
+    const std::size_t bytes = std::size_t(grid.voxelCount()) * haptics::sizeOf(type);
+    std::vector<std::vector<char>> ends;
+    std::vector<BurrCut> cuts;
+    const double s = volume.least + 0.4 * (volume.greatest - volume.least);
+    for (int n = 0; n < 12; ++n) {
+      const Vec3 from = grid.worldOf(middleOf(grid) + random.box(12.0));
+      cuts.push_back({from, from + random.box(3e-3), random.in(1e-3, 4e-3), s});
+    }
+    std::vector<char> scan(bytes);
+    std::memcpy(scan.data(), volume.voxels.get(), bytes);
+    for (int order = 0; order < 4; ++order) {
+      std::memcpy(voxelsOf(volume), scan.data(), bytes);
+      for (const BurrCut& cut : cuts) carve(volume, cut, order == 0 ? 1'000'000 : order);
+      if (order == 3) carve(volume, cuts[0]);
+      ends.emplace_back(bytes);
+      std::memcpy(ends.back().data(), volume.voxels.get(), bytes);
+      std::ranges::reverse(cuts);
+      std::rotate(cuts.begin(), cuts.begin() + 5, cuts.end());
+    }
+    for (const auto& end : ends) EXPECT_EQ(end, ends[0]) << haptics::nameOf(type);
+    EXPECT_NE(ends[0], scan);
+    haptics::visitVoxels(type, ends[0].data(), [&](const auto* after) {
+      using T = std::remove_cvref_t<decltype(*after)>;
+      const T* before = reinterpret_cast<const T*>(scan.data());
+      for (std::int64_t n = 0; n < grid.voxelCount(); ++n) ASSERT_LE(after[n], before[n]);
+    });
+  }
+}
+
+TEST(Burr, WritesNoSteeperThanItSaysAndNothingBeyondItsBox) {
+  Random random{51};
+  for (int n = 0; n < made::trials(40); ++n) {
+    const ScalarType type = made::kTypes[n % 7];
+    const Grid grid = made::oddGrid(n, {37, 29, 33}, random);
+    const double top = type == ScalarType::Int8 ? 120.0 : 250.0;
+    const Volume volume = datasets::filled(
+        grid, type, [&](auto i, auto j, auto k) { return i + j + k == 0 ? 0.0 : top; });
+    const Vec3 from = grid.worldOf(middleOf(grid) + random.box(10.0));
+    const BurrCut cut{from, from + random.box(2e-3), random.in(1e-3, 4e-3), random.in(20.0, 110.0)};
+    const BurrCarving asked{volume, cut};
+    carve(volume, cut);
+    haptics::visitVoxels(type, volume.voxels.get(), [&](const auto* v) {
+      const std::int64_t by[3] = {1, grid.dims[0], grid.dims[0] * grid.dims[1]};
+      for (std::int64_t k = 0; k < grid.dims[2]; ++k)
+        for (std::int64_t j = 0; j < grid.dims[1]; ++j)
+          for (std::int64_t i = 0; i < grid.dims[0]; ++i) {
+            const std::int64_t at[3] = {i, j, k};
+            const std::int64_t here = k * by[2] + j * by[1] + i;
+            bool within = true;
+            for (std::size_t a = 0; a < 3; ++a)
+              within = within && at[a] >= asked.box().first[a] && at[a] < asked.box().end[a];
+            if (!within && i + j + k > 0) {
+              ASSERT_EQ(double(v[here]), top);
+            }
+            for (std::size_t a = 0; a < 3; ++a) {
+              if (at[a] + 1 == grid.dims[a] || i + j + k == 0) continue;
+              ASSERT_LE(std::abs(double(v[here + by[a]]) - double(v[here])), asked.steepest());
+            }
+          }
+    });
+  }
+}
+
+}  // namespace
