@@ -79,47 +79,61 @@ double BurrCarving::distanceAt(const Vec3& p) const HAPTICS_RT {
   return (std::sqrt(square) - radius_) / voxel - kBias * voxel / radius_;
 }
 
-template <class T>
-void BurrCarving::carveRow(T* row, std::int64_t j, std::int64_t k,
-                           Removed& removed) const HAPTICS_RT {
+std::array<std::int64_t, 2> BurrCarving::nextRow() const HAPTICS_RT {
+  const std::int64_t across = box_.end[1] - box_.first[1];
+  return {box_.first[1] + next_ % across, box_.first[2] + next_ / across};
+}
+
+VoxelBox BurrCarving::changes(const void* voxels) const HAPTICS_RT {
+  const auto [j, k] = nextRow();
+  VoxelBox changed{{0, j, k}, {0, j + 1, k + 1}};
   // where along the row the reach can end: of the ball around the whole way
   const Vec3 middle = a_ + 0.5 * way_;
   const double across_j = static_cast<double>(j) * spacing_.y() - middle.y(),
                across_k = static_cast<double>(k) * spacing_.z() - middle.z(),
                around = reach_ + 0.5 * std::sqrt(way_square_);
   const double square = around * around - across_j * across_j - across_k * across_k;
-  if (!(square > 0.0)) return;
+  if (!(square > 0.0)) return changed;
   const double half = std::sqrt(square);
   const auto first = std::max(
       box_.first[0], static_cast<std::int64_t>(std::ceil((middle.x() - half) / spacing_.x())));
   const auto end = std::min(
       box_.end[0], static_cast<std::int64_t>(std::floor((middle.x() + half) / spacing_.x())) + 1);
-  const T background = asVoxel<T>(background_);
-  const auto partOf = [&](T value) {
-    return std::clamp(part_at_wall_ + (static_cast<double>(value) - isovalue_) * per_value_, 0.0,
-                      1.0);
-  };
-  Vec3 p(0.0, static_cast<double>(j) * spacing_.y(), static_cast<double>(k) * spacing_.z());
-  for (std::int64_t i = first; i < end; ++i) {
-    const T before = row[i];
-    if (!(before > background)) continue;
-    p.x() = static_cast<double>(i) * spacing_.x();
-    const T most = asVoxel<T>(profile_.ceiling(distanceAt(p)));
-    if (!(most < before)) continue;
-    row[i] = most;
-    ++removed.voxels;
-    removed.volume += partOf(before) - partOf(most);
-  }
-}
-
-Removed BurrCarving::advance(void* voxels, std::int64_t rows) HAPTICS_RT {
-  Removed removed;
-  const std::int64_t end = std::min(rows_, next_ + rows), across = box_.end[1] - box_.first[1];
   visitVoxels(type_, voxels, [&](const auto* typed) {
     using T = std::remove_cvref_t<decltype(*typed)>;
-    for (; next_ < end; ++next_) {
-      const std::int64_t j = box_.first[1] + next_ % across, k = box_.first[2] + next_ / across;
-      carveRow(static_cast<T*>(voxels) + (k * dims_[1] + j) * dims_[0], j, k, removed);
+    const T* row = typed + (k * dims_[1] + j) * dims_[0];
+    const T background = asVoxel<T>(background_);
+    Vec3 p(0.0, static_cast<double>(j) * spacing_.y(), static_cast<double>(k) * spacing_.z());
+    for (std::int64_t i = first; i < end; ++i) {
+      if (!(row[i] > background)) continue;
+      p.x() = static_cast<double>(i) * spacing_.x();
+      if (!(asVoxel<T>(profile_.ceiling(distanceAt(p))) < row[i])) continue;
+      if (changed.end[0] == 0) changed.first[0] = i;
+      changed.end[0] = i + 1;
+    }
+  });
+  return changed;
+}
+
+Removed BurrCarving::lower(void* voxels, const VoxelBox& changed) HAPTICS_RT {
+  const auto [j, k] = nextRow();
+  ++next_;
+  Removed removed;
+  visitVoxels(type_, voxels, [&](const auto* typed) {
+    using T = std::remove_cvref_t<decltype(*typed)>;
+    T* row = static_cast<T*>(voxels) + (k * dims_[1] + j) * dims_[0];
+    const auto partOf = [&](T value) {
+      return std::clamp(part_at_wall_ + (static_cast<double>(value) - isovalue_) * per_value_, 0.0,
+                        1.0);
+    };
+    Vec3 p(0.0, static_cast<double>(j) * spacing_.y(), static_cast<double>(k) * spacing_.z());
+    for (std::int64_t i = changed.first[0]; i < changed.end[0]; ++i) {
+      p.x() = static_cast<double>(i) * spacing_.x();
+      const T before = row[i], most = asVoxel<T>(profile_.ceiling(distanceAt(p)));
+      if (!(most < before)) continue;
+      row[i] = most;
+      ++removed.voxels;
+      removed.volume += partOf(before) - partOf(most);
     }
   });
   removed.volume *= spacing_.prod();

@@ -36,7 +36,7 @@ struct Removed {
 
 /// Carries out a cut: no voxel stays above the profile of the wall at its distance to the burr
 /// (README.md, "The burr"). An absolute value and no decrement, so neither order nor repetition of
-/// cuts matters. It goes row by row and can end between two rows, to go on later.
+/// cuts matters. It goes row by row, and may be left between two of them.
 class BurrCarving {
  public:
   BurrCarving() = default;
@@ -50,14 +50,15 @@ class BurrCarving {
   /// lowers [value].
   double steepest() const HAPTICS_RT { return steepest_; }
 
-  /// Lowers up to so many rows of `voxels`, which has the grid and the type of the volume. Returns
-  /// what they lost.
-  Removed advance(void* voxels, std::int64_t rows) HAPTICS_RT;
   bool isDone() const HAPTICS_RT { return next_ >= rows_; }
+  /// The voxels of the next row that it lowers, from the first to the last; empty: none.
+  /// `voxels` have the grid and the type of the volume.
+  VoxelBox changes(const void* voxels) const HAPTICS_RT;
+  /// Lowers these voxels of the next row, and goes on to the one behind it. Returns what they lost.
+  Removed lower(void* voxels, const VoxelBox& changed) HAPTICS_RT;
 
  private:
-  template <class T>
-  void carveRow(T* row, std::int64_t j, std::int64_t k, Removed& removed) const HAPTICS_RT;
+  std::array<std::int64_t, 2> nextRow() const HAPTICS_RT;  ///< j and k
   /// Voxels between the ball and a voxel, of which the centre lies here [m, along the grid's axes].
   double distanceAt(const Vec3& p) const HAPTICS_RT;
 

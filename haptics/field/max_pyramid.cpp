@@ -444,7 +444,9 @@ std::vector<BlockBox> touchedBlocks(const VoxelBox& was, const VoxelBox& is,
 
 MaxPyramid::MaxPyramid(const Volume& volume, FieldKind kind, const std::atomic<bool>* cancel,
                        int threads)
-    : box_{volume.bounds()}, smallest_spacing_{volume.grid.spacing.minCoeff()} {
+    : box_{volume.bounds()},
+      smallest_spacing_{volume.grid.spacing.minCoeff()},
+      per_spacing_{volume.grid.spacing.cwiseInverse()} {
   BlockCounts blocks;
   for (std::size_t axis = 0; axis < 3; ++axis)
     blocks[axis] = (volume.grid.dims[axis] + 1 + kCells - 1) / kCells;
@@ -547,6 +549,74 @@ MaxPyramid::MaxPyramid(const MaxPyramid& before, const Volume& volume,
       copyBlocks(values, seen, part, level.greatest, whole);
     }
   }
+}
+
+VoxelBox MaxPyramid::blocksAround(const VoxelBox& voxels, FieldKind kind) const HAPTICS_RT {
+  return grown(blocksOver(voxels, kind, levels_[0].blocks), 1, levels_[0].blocks);
+}
+
+void MaxPyramid::raise(std::int64_t block, double steepest, float& raised) HAPTICS_RT {
+  const double slope = steepest * per_spacing_.norm(), before = raised;
+  if (!(slope > before)) return;
+  // Along each axis the greatest difference is now at most the greater of the two; the constant is
+  // the norm of those of the axes, and not the greater of two norms.
+  float& lipschitz = finest_[static_cast<std::size_t>(block)].lipschitz;
+  lipschitz = roundedUp(std::sqrt(double{lipschitz} * lipschitz + slope * slope - before * before));
+  raised = static_cast<float>(slope);
+  if (double{raised} > slope) raised = std::nextafter(raised, 0.0F);
+}
+
+namespace {
+
+/// Of n^3 voxels from `corner` on, without the memory that RowBounds has.
+template <int n, class T>
+lanes::BlockBound boundFrom(const T* corner, const BlockCounts& dims,
+                            const Vec3& per_spacing) HAPTICS_RT {
+  using Wide = std::conditional_t<sizeof(T) <= 2, int, double>;
+  const std::int64_t row = dims[0], slice = dims[0] * dims[1];
+  T top = *corner;
+  Wide dx = 0, dy = 0, dz = 0;
+  const auto rise = [](Wide most, T a, T b) {
+    const Wide d = Wide(a) - Wide(b);
+    return std::max(most, d < 0 ? -d : d);
+  };
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j) {
+      const T* const v = corner + k * slice + j * row;
+      for (int i = 0; i < n; ++i) top = std::max(top, v[i]);
+      for (int i = 0; i + 1 < n; ++i) dx = rise(dx, v[i + 1], v[i]);
+      if (j + 1 < n)
+        for (int i = 0; i < n; ++i) dy = rise(dy, v[i + row], v[i]);
+      if (k + 1 < n)
+        for (int i = 0; i < n; ++i) dz = rise(dz, v[i + slice], v[i]);
+    }
+  return {roundedUp(double(top)),
+          roundedUp(Vec3{double(dx), double(dy), double(dz)}.cwiseProduct(per_spacing).norm() *
+                    (1.0 + 1e-12))};
+}
+
+}  // namespace
+
+bool MaxPyramid::renew(const Volume& volume, FieldKind kind, std::int64_t block) HAPTICS_RT {
+  const BlockCounts& blocks = levels_[0].blocks;
+  const std::int64_t more = kind == FieldKind::CubicSpline ? 1 : 0;
+  // the voxels that the block and its 26 neighbours look at
+  const std::int64_t i = 4 * (block % blocks[0]) - 5 - more,
+                     j = 4 * (block / blocks[0] % blocks[1]) - 5 - more,
+                     k = 4 * (block / (blocks[0] * blocks[1])) - 5 - more;
+  const BlockCounts& dims = volume.grid.dims;
+  return visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
+    lanes::BlockBound& bound = finest_[static_cast<std::size_t>(block)];
+    const auto* corner = voxels + (k * dims[1] + j) * dims[0] + i;
+    if (more == 1) {
+      if (!allIn(box_, i, j, k, 15)) return false;
+      bound = boundFrom<15>(corner, dims, per_spacing_);
+    } else {
+      if (!allIn(box_, i, j, k, 13)) return false;
+      bound = boundFrom<13>(corner, dims, per_spacing_);
+    }
+    return true;
+  });
 }
 
 std::array<std::int64_t, 3> MaxPyramid::blockOf(const Vec3& u, int level) const HAPTICS_RT {

@@ -40,6 +40,19 @@ class MaxPyramid {
   MaxPyramid(const MaxPyramid& before, const Volume& volume, std::span<const VoxelBox> changed,
              FieldKind kind, const std::atomic<bool>* cancel = nullptr);
 
+  // Where voxels are lowered while the field is in use (scene/carved_scene.h). Then the greatest
+  // values stay bounds; the Lipschitz constants do not.
+
+  /// The finest blocks whose bounds depend on a voxel of this box.
+  VoxelBox blocksAround(const VoxelBox& voxels, FieldKind kind) const HAPTICS_RT;
+  /// Raises the Lipschitz constant of a finest block for voxels that are lowered next: two
+  /// neighbours then differ by no more than before, or than `steepest`. `raised`: by which it was
+  /// raised since it was last exact, 0 if it is; it must be kept for each block.
+  void raise(std::int64_t block, double steepest, float& raised) HAPTICS_RT;
+  /// Finds the bounds of a finest block anew. Returns false, and changes nothing, where it meets
+  /// the faces of the volume.
+  bool renew(const Volume& volume, FieldKind kind, std::int64_t block) HAPTICS_RT;
+
   /// A bound over a ball around a place.
   struct Bound {
     double radius;     ///< m: radius of the ball
@@ -80,6 +93,7 @@ class MaxPyramid {
   std::vector<lanes::BlockBound> finest_;  ///< both dilated
   VoxelBox box_;                           ///< the voxels that exist
   double smallest_spacing_;                ///< m
+  Vec3 per_spacing_;                       ///< 1/m
 };
 
 }  // namespace haptics

@@ -96,6 +96,8 @@ class ScalarField {
   const lanes::Lattice& lattice() const HAPTICS_RT { return lattice_; }
 
   const MaxPyramid& pyramid() const HAPTICS_RT { return pyramid_; }
+  /// For whoever lowers voxels of this field's volume (scene/carved_scene.h).
+  MaxPyramid& pyramid() HAPTICS_RT { return pyramid_; }
   const Volume& volume() const HAPTICS_RT { return *volume_; }
   const VoxelBox& bounds() const HAPTICS_RT { return bounds_; }
   double voxel() const HAPTICS_RT { return voxel_; }  ///< m: the smallest voxel side

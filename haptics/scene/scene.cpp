@@ -40,10 +40,14 @@ MaxPyramid pyramidOf(const std::shared_ptr<const Volume>& volume, const SceneOpt
 
 }  // namespace
 
+std::uint64_t newSceneId() {
+  static std::atomic<std::uint64_t> last_id{0};
+  return ++last_id;
+}
+
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
                                                  const SceneOptions& options,
                                                  const Scene* previous) {
-  static std::atomic<std::uint64_t> last_id{0};
   if (!volume || !volume->voxels)
     return tl::unexpected(Error{Error::Kind::NotFound, {"scene-no-volume", {}}});
   if (tool.shell.points.empty())
@@ -85,8 +89,8 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
   plan.central_differences = plan.central_differences && options.normal != NormalKind::Central;
   PlanLines planned = linesOf(plan, options, *volume, tree);
   return std::make_shared<const Scene>(
-      Scene{++last_id, std::move(volume), std::move(tool), std::move(tree), field, *field, metric,
-            lengths, options.normal, std::move(structures), plan, std::move(planned),
+      Scene{newSceneId(), std::move(volume), std::move(tool), std::move(tree), field, *field,
+            metric, lengths, options.normal, std::move(structures), plan, std::move(planned),
             options.fineness, std::move(scan_field)});
 }
 

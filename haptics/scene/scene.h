@@ -71,6 +71,9 @@ struct Scene {
 PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& volume,
                   const ShellTree& tree);
 
+/// Unique in the process, from 1.
+std::uint64_t newSceneId();
+
 /// Builds a scene. It takes tens to hundreds of milliseconds, so do not call it on the GUI or servo
 /// thread. The field of `previous` is reused if volume and kind are the same, and its scan_field if
 /// the volume is the scan. If the volumes are neighbours (Derivation::neighbour), its bounds are

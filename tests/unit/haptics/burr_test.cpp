@@ -58,10 +58,11 @@ Vec3 middleOf(const Grid& grid) {
 /// The voxels of a volume that nobody else has.
 void* voxelsOf(const Volume& volume) { return const_cast<void*>(volume.voxels.get()); }
 
-Removed carve(const Volume& volume, const BurrCut& cut, std::int64_t rows = 1'000'000) {
+Removed carve(const Volume& volume, const BurrCut& cut) {
   BurrCarving carving{volume, cut};
   Removed removed;
-  while (!carving.isDone()) removed.add(carving.advance(voxelsOf(volume), rows));
+  while (!carving.isDone())
+    removed.add(carving.lower(voxelsOf(volume), carving.changes(voxelsOf(volume))));
   return removed;
 }
 
@@ -152,7 +153,7 @@ TEST(Burr, CountsTheVolumeOfABall) {
         const Volume volume = solidOf(grid, matter);
         const Vec3 centre = grid.worldOf(middleOf(grid) + random.box(0.5));
         const BurrCut cut{centre, centre, 1e-3 * radius, matter.isovalue};
-        const Removed removed = carve(volume, cut, 7);
+        const Removed removed = carve(volume, cut);
         const double ball = 4.0 / 3.0 * M_PI * std::pow(1e-3 * radius, 3);
         const double off = removed.volume / ball - 1.0;
         EXPECT_NEAR(off, 0.0, radius < 3.0 ? 0.02 : 0.01)
@@ -185,7 +186,7 @@ TEST(Burr, CountsTheVolumeOfAGroove) {
     }
 }
 
-TEST(Burr, CutsTheSameInAnyOrderAndAnyParts) {
+TEST(Burr, CutsTheSameInAnyOrderAndTwice) {
   Random random{50};
   for (const ScalarType type : made::kTypes) {
     const Grid grid = made::oddGrid(int(type), {33, 29, 31}, random);
@@ -202,7 +203,7 @@ TEST(Burr, CutsTheSameInAnyOrderAndAnyParts) {
     std::memcpy(scan.data(), volume.voxels.get(), bytes);
     for (int order = 0; order < 4; ++order) {
       std::memcpy(voxelsOf(volume), scan.data(), bytes);
-      for (const BurrCut& cut : cuts) carve(volume, cut, order == 0 ? 1'000'000 : order);
+      for (const BurrCut& cut : cuts) carve(volume, cut);
       if (order == 3) carve(volume, cuts[0]);
       ends.emplace_back(bytes);
       std::memcpy(ends.back().data(), volume.voxels.get(), bytes);
