@@ -2,8 +2,8 @@
 #include "haptics/carving/burr.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 namespace haptics {
@@ -16,18 +16,6 @@ constexpr double kBias = 0.165;
 // sphere has there more than a plane is a 24th of its curvature twice.
 constexpr double kCounted = kBias + 1.0 / 12.0;
 
-/// The voxel that a value becomes. Rounding to the nearest, as edits do.
-template <class T>
-T asVoxel(double value) HAPTICS_RT {
-  if constexpr (std::is_floating_point_v<T>) {
-    return static_cast<T>(value);
-  } else {
-    const double least = static_cast<double>(std::numeric_limits<T>::lowest());
-    const double most = static_cast<double>(std::numeric_limits<T>::max());
-    return static_cast<T>(std::floor(std::clamp(value, least, most) + 0.5));
-  }
-}
-
 }  // namespace
 
 BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
@@ -36,20 +24,21 @@ BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
       spacing_{volume.grid.spacing},
       radius_{cut.radius},
       isovalue_{cut.isovalue},
-      background_{volume.least},
-      profile_{volume.least, volume.greatest, cut.isovalue} {
+      background_{volume.least} {
   a_ = volume.grid.indexOf(cut.from_W).cwiseProduct(spacing_);
   way_ = volume.grid.indexOf(cut.to_W).cwiseProduct(spacing_) - a_;
-  way_square_ = way_.squaredNorm();
+  middle_ = a_ + 0.5 * way_;
   const double least = spacing_.minCoeff(), most = spacing_.maxCoeff();
   reach_ = radius_ + (WallProfile::kReach + kBias * most / radius_) * most;
-  per_value_ = 1.0 / profile_.slope();
-  part_at_wall_ = 0.5 + kCounted * std::cbrt(spacing_.prod()) / radius_;
+  const double around = reach_ + 0.5 * way_.norm();
+  around_square_ = around * around;
+  const WallProfile profile{volume.least, volume.greatest, cut.isovalue};
   // The distance rises by a voxel and no more from one to the next if voxels are cubes. If not, the
   // voxel's length along the normal turns with it.
   const double uneven = most * most / (least * least) - 1.0;
   const double grows = 1.0 + WallProfile::kReach * most / std::max(radius_ - most, least) * uneven;
-  steepest_ = grows * profile_.steepest() + 1.0;  // and rounding
+  const double rounding = type_ == ScalarType::Float32 ? 1e-3 * profile.steepest() : 1.0;
+  steepest_ = grows * profile.steepest() + rounding;
   const VoxelBox bounds = volume.bounds();
   rows_ = 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -67,76 +56,95 @@ BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     box_ = {};
   else
     rows_ = (box_.end[1] - box_.first[1]) * (box_.end[2] - box_.first[2]);
+  // 32 bits of a whole number are more than a float has
+  if (type_ == ScalarType::UInt32 || type_ == ScalarType::Int32)
+    in_double_ = ball<double>(profile);
+  else
+    in_float_ = ball<float>(profile);
 }
 
-double BurrCarving::distanceAt(const Vec3& p) const HAPTICS_RT {
-  Vec3 from = p - a_;
-  if (way_square_ > 0.0) from -= std::clamp(from.dot(way_) / way_square_, 0.0, 1.0) * way_;
-  const double square = from.squaredNorm();
-  if (!(square > 0.0)) return -std::numeric_limits<double>::infinity();
-  // the length of a voxel along the normal
-  const double voxel = std::sqrt(from.cwiseProduct(spacing_).squaredNorm() / square);
-  return (std::sqrt(square) - radius_) / voxel - kBias * voxel / radius_;
+template <class Real>
+lanes::BallAtRow<Real> BurrCarving::ball(const WallProfile& profile) const HAPTICS_RT {
+  const auto real = [](double value) { return static_cast<Real>(value); };
+  const double square = way_.squaredNorm();
+  return {.x = 0,
+          .y = 0,
+          .z = 0,
+          .spacing = {real(spacing_.x()), real(spacing_.y()), real(spacing_.z())},
+          .cubes = spacing_.minCoeff() == spacing_.maxCoeff(),
+          .way = {real(way_.x()), real(way_.y()), real(way_.z())},
+          .per_way = real(square > 0.0 ? 1.0 / square : 0.0),
+          .radius = real(radius_),
+          .bias = real(kBias / radius_),
+          .isovalue = real(isovalue_),
+          .slope = real(profile.slope()),
+          .rise = real(profile.steepest() - profile.slope()),
+          .straight = real(WallProfile::kStraight),
+          .background = real(background_),
+          .back = real(-profile.back()),
+          .whole = type_ != ScalarType::Float32,
+          .per_value = real(1.0 / profile.slope()),
+          .part_at_wall = real(0.5 + kCounted * std::cbrt(spacing_.prod()) / radius_)};
 }
 
-std::array<std::int64_t, 2> BurrCarving::nextRow() const HAPTICS_RT {
-  const std::int64_t across = box_.end[1] - box_.first[1];
-  return {box_.first[1] + next_ % across, box_.first[2] + next_ / across};
-}
-
-VoxelBox BurrCarving::changes(const void* voxels) const HAPTICS_RT {
-  const auto [j, k] = nextRow();
-  VoxelBox changed{{0, j, k}, {0, j + 1, k + 1}};
-  // where along the row the reach can end: of the ball around the whole way
-  const Vec3 middle = a_ + 0.5 * way_;
-  const double across_j = static_cast<double>(j) * spacing_.y() - middle.y(),
-               across_k = static_cast<double>(k) * spacing_.z() - middle.z(),
-               around = reach_ + 0.5 * std::sqrt(way_square_);
-  const double square = around * around - across_j * across_j - across_k * across_k;
-  if (!(square > 0.0)) return changed;
+template <class T>
+Removed BurrCarving::lowerTyped(T* row, const T* scan, double y, double z,
+                                const Material& material) const HAPTICS_RT {
+  Removed removed;
+  const double dy = y - middle_.y(), dz = z - middle_.z();
+  const double square = around_square_ - dy * dy - dz * dz;
+  if (!(square > 0.0)) return removed;
   const double half = std::sqrt(square);
   const auto first = std::max(
-      box_.first[0], static_cast<std::int64_t>(std::ceil((middle.x() - half) / spacing_.x())));
+      box_.first[0], static_cast<std::int64_t>((middle_.x() - half) / spacing_.x()));
   const auto end = std::min(
-      box_.end[0], static_cast<std::int64_t>(std::floor((middle.x() + half) / spacing_.x())) + 1);
-  visitVoxels(type_, voxels, [&](const auto* typed) {
-    using T = std::remove_cvref_t<decltype(*typed)>;
-    const T* row = typed + (k * dims_[1] + j) * dims_[0];
-    const T background = asVoxel<T>(background_);
-    Vec3 p(0.0, static_cast<double>(j) * spacing_.y(), static_cast<double>(k) * spacing_.z());
-    for (std::int64_t i = first; i < end; ++i) {
-      if (!(row[i] > background)) continue;
-      p.x() = static_cast<double>(i) * spacing_.x();
-      if (!(asVoxel<T>(profile_.ceiling(distanceAt(p))) < row[i])) continue;
-      if (changed.end[0] == 0) changed.first[0] = i;
-      changed.end[0] = i + 1;
+      box_.end[0], static_cast<std::int64_t>((middle_.x() + half) / spacing_.x()) + 1);
+  const auto lower = [&](auto ball, auto real) {
+    using Real = decltype(real);
+    lanes::RowOfVoxels<Real> voxels;
+    // from the way's beginning, so that floats are of small numbers
+    ball.y = static_cast<Real>(y - a_.y());
+    ball.z = static_cast<Real>(z - a_.z());
+    for (std::int64_t i = first; i < end; i += lanes::kRowChunk) {
+      const int count = static_cast<int>(std::min<std::int64_t>(lanes::kRowChunk, end - i));
+      T* const v = row + i;
+      std::transform(v, v + count, voxels.before, [](T value) { return static_cast<Real>(value); });
+      std::fill(voxels.before + count, voxels.before + ((count + 15) & ~15), ball.background);
+      ball.x = static_cast<Real>(static_cast<double>(i) * spacing_.x() - a_.x());
+      lanes::lower(ball, count, voxels);
+      if (voxels.changed == 0) continue;
+      removed.voxels += voxels.changed;
+      std::transform(voxels.after, voxels.after + count, v,
+                     [](Real value) { return static_cast<T>(value); });
+      for (std::uint64_t parts = voxels.parts; parts != 0; parts &= parts - 1) {
+        const int n = std::countr_zero(parts);
+        const double part = static_cast<double>(voxels.part[n]);
+        removed.volume += part;
+        removed.energy += part * material.energyAt(static_cast<double>(scan[i + n]));
+      }
     }
-  });
-  return changed;
+  };
+  if constexpr (std::is_integral_v<T> && sizeof(T) == 4)
+    lower(in_double_, 0.0);
+  else
+    lower(in_float_, 0.0F);
+  return removed;
 }
 
-Removed BurrCarving::lower(void* voxels, const VoxelBox& changed) HAPTICS_RT {
-  const auto [j, k] = nextRow();
+Removed BurrCarving::lowerRow(void* voxels, const void* scan,
+                              const Material& material) HAPTICS_RT {
+  const std::int64_t across = box_.end[1] - box_.first[1];
+  const std::int64_t j = box_.first[1] + next_ % across, k = box_.first[2] + next_ / across;
   ++next_;
-  Removed removed;
-  visitVoxels(type_, voxels, [&](const auto* typed) {
+  const std::int64_t at = (k * dims_[1] + j) * dims_[0];
+  Removed removed = visitVoxels(type_, scan, [&](const auto* typed) {
     using T = std::remove_cvref_t<decltype(*typed)>;
-    T* row = static_cast<T*>(voxels) + (k * dims_[1] + j) * dims_[0];
-    const auto partOf = [&](T value) {
-      return std::clamp(part_at_wall_ + (static_cast<double>(value) - isovalue_) * per_value_, 0.0,
-                        1.0);
-    };
-    Vec3 p(0.0, static_cast<double>(j) * spacing_.y(), static_cast<double>(k) * spacing_.z());
-    for (std::int64_t i = changed.first[0]; i < changed.end[0]; ++i) {
-      p.x() = static_cast<double>(i) * spacing_.x();
-      const T before = row[i], most = asVoxel<T>(profile_.ceiling(distanceAt(p)));
-      if (!(most < before)) continue;
-      row[i] = most;
-      ++removed.voxels;
-      removed.volume += partOf(before) - partOf(most);
-    }
+    return lowerTyped(static_cast<T*>(voxels) + at, typed + at, static_cast<double>(j) * spacing_.y(),
+                      static_cast<double>(k) * spacing_.z(), material);
   });
-  removed.volume *= spacing_.prod();
+  const double voxel = spacing_.prod();
+  removed.volume *= voxel;
+  removed.energy *= voxel;
   return removed;
 }
 

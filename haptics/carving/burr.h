@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "haptics/carving/burr_lanes.h"
+#include "haptics/carving/material.h"
 #include "haptics/carving/wall.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
@@ -26,10 +28,12 @@ struct Removed {
   /// m3 within the isosurface. A voxel counts in part by its value, so that a wall counts where it
   /// lies and not where voxels are.
   double volume = 0.0;
+  double energy = 0.0;      ///< J that it takes to remove it
   std::int64_t voxels = 0;  ///< that were lowered
 
   void add(const Removed& more) HAPTICS_RT {
     volume += more.volume;
+    energy += more.energy;
     voxels += more.voxels;
   }
 };
@@ -49,31 +53,36 @@ class BurrCarving {
   /// An upper bound of the difference between two neighbours along an axis, both of which the cut
   /// lowers [value].
   double steepest() const HAPTICS_RT { return steepest_; }
+  /// m: beyond it from the ball no voxel is lowered.
+  double reach() const HAPTICS_RT { return reach_ - radius_; }
 
   bool isDone() const HAPTICS_RT { return next_ >= rows_; }
-  /// The voxels of the next row that it lowers, from the first to the last; empty: none.
-  /// `voxels` have the grid and the type of the volume.
-  VoxelBox changes(const void* voxels) const HAPTICS_RT;
-  /// Lowers these voxels of the next row, and goes on to the one behind it. Returns what they lost.
-  Removed lower(void* voxels, const VoxelBox& changed) HAPTICS_RT;
+  std::int64_t voxelsInRow() const HAPTICS_RT { return box_.end[0] - box_.first[0]; }
+  /// Lowers the next row. `voxels` and `scan` have the grid and the type of the volume; what the
+  /// scan has there says which material it is, whatever was cut meanwhile.
+  Removed lowerRow(void* voxels, const void* scan, const Material& material) HAPTICS_RT;
 
  private:
-  std::array<std::int64_t, 2> nextRow() const HAPTICS_RT;  ///< j and k
-  /// Voxels between the ball and a voxel, of which the centre lies here [m, along the grid's axes].
-  double distanceAt(const Vec3& p) const HAPTICS_RT;
+  template <class T>
+  Removed lowerTyped(T* row, const T* scan, double y, double z,
+                     const Material& material) const HAPTICS_RT;
+  template <class Real>
+  lanes::BallAtRow<Real> ball(const WallProfile& profile) const HAPTICS_RT;
 
   std::array<std::int64_t, 3> dims_{};
   ScalarType type_ = ScalarType::Int16;
   VoxelBox box_;
   Vec3 spacing_ = Vec3::Ones();
-  Vec3 a_ = Vec3::Zero(), way_ = Vec3::Zero();  ///< m, along the grid's axes from its voxel (0,0,0)
-  double way_square_ = 0.0;
+  // m, along the grid's axes from its voxel (0, 0, 0)
+  Vec3 a_ = Vec3::Zero(), way_ = Vec3::Zero();
+  Vec3 middle_ = Vec3::Zero();
+  double around_square_ = 0.0;         ///< m2: of the ball around all that can be lowered
   double radius_ = 0.0, reach_ = 0.0;  ///< m
   double isovalue_ = 0.0, background_ = 0.0;
-  WallProfile profile_{0.0, 1.0, 0.5};
-  double per_value_ = 0.0;  ///< parts of a voxel, by a voxel's value beside the wall
-  double part_at_wall_ = 0.5;
   double steepest_ = 0.0;
+  // the ball at a row, but for x, y and z; whichever the type of the voxels needs
+  lanes::BallAtRow<float> in_float_{};
+  lanes::BallAtRow<double> in_double_{};
   std::int64_t rows_ = 0, next_ = 0;
 };
 

@@ -48,6 +48,13 @@ class Clearance {
   /// path.
   void moved(double translation, double rotation) HAPTICS_RT;
 
+  /// The field was lowered somewhere. What was proven free stays so; what was found near the surface
+  /// is found anew.
+  void lowered() HAPTICS_RT {
+    covers_.forget();
+    restart();
+  }
+
   enum class Verdict { Legal, Inside, Cut };
   /// Finds all points with less than `reach` [m] of clearance at this pose and puts them into
   /// near(), which may hold other points too. Of the nodes that it carries, one point is in near().

@@ -38,6 +38,7 @@ Expected<std::unique_ptr<CarvedScene>> CarvedScene::of(const Scene& scene) {
   volume->voxels = *view;
   std::unique_ptr<CarvedScene> carved{new CarvedScene};
   carved->voxels_ = std::move(*view);
+  carved->scan_ = scene.volume;
   carved->field_ = std::make_shared<ScalarField>(volume, scene.field.kind(), scene.field.pyramid());
   const auto& counts = carved->field_->pyramid().finestCounts();
   const auto blocks = static_cast<std::size_t>(counts[0] * counts[1] * counts[2]);
@@ -50,55 +51,86 @@ Expected<std::unique_ptr<CarvedScene>> CarvedScene::of(const Scene& scene) {
   return carved;
 }
 
-void CarvedScene::raiseAround(const VoxelBox& changed) HAPTICS_RT {
+bool CarvedScene::isWithinRaised(const VoxelBox& blocks) const HAPTICS_RT {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (blocks.first[axis] < raised_box_.first[axis] || blocks.end[axis] > raised_box_.end[axis])
+      return false;
+  return true;
+}
+
+void CarvedScene::raiseAround(const VoxelBox& voxels) HAPTICS_RT {
   MaxPyramid& pyramid = field_->pyramid();
   const auto& counts = pyramid.finestCounts();
-  const VoxelBox blocks = pyramid.blocksAround(changed, field_->kind());
+  VoxelBox blocks = pyramid.blocksAround(voxels, field_->kind());
+  const double steepest = carving_.steepest();
+  if (steepest <= raised_by_ && isWithinRaised(blocks)) return;
+  // a block more on each side, so that a burr that moves on does not come here again at once
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    blocks.first[axis] = std::max<std::int64_t>(0, blocks.first[axis] - 1);
+    blocks.end[axis] = std::min(counts[axis], blocks.end[axis] + 1);
+  }
   for (std::int64_t k = blocks.first[2]; k < blocks.end[2]; ++k)
     for (std::int64_t j = blocks.first[1]; j < blocks.end[1]; ++j)
       for (std::int64_t i = blocks.first[0]; i < blocks.end[0]; ++i) {
         const std::int64_t block = (k * counts[1] + j) * counts[0] + i;
         float& raised = raised_[static_cast<std::size_t>(block)];
         const bool was_exact = raised == 0.0F;
-        pyramid.raise(block, carving_.steepest(), raised);
+        pyramid.raise(block, steepest, raised);
         if (!was_exact) continue;
         waiting_[(first_ + count_++) % waiting_.size()] = static_cast<std::uint32_t>(block);
       }
+  raised_box_ = blocks;
+  raised_by_ = steepest;
 }
 
-Removed CarvedScene::advance(std::int64_t rows, Contacts& contacts, const Vec3& tool_W) HAPTICS_RT {
+void CarvedScene::begin(const BurrCut& cut) HAPTICS_RT {
+  cut_ = cut;
+  carving_ = BurrCarving{*scene_->volume, cut};
+  // before any voxel changes
+  if (!carving_.isDone()) raiseAround(carving_.box());
+}
+
+Removed CarvedScene::advance(const Material& material, Contacts& contacts, const Vec3& tool_W,
+                             std::int64_t work, Budget& budget) HAPTICS_RT {
   Removed removed;
-  for (; rows > 0 && !carving_.isDone(); --rows) {
-    const VoxelBox changed = carving_.changes(voxels_.get());
-    if (changed.end[0] > 0) {
-      raiseAround(changed);
-      for (std::size_t n = 0; n < contacts.size();) {
-        // its cell, or one that its normal is taken from, has a corner there
-        const Vec3 u = field_->indexOf(tool_W + contacts[n].r_W);
-        bool within = true;
-        for (int axis = 0; axis < 3; ++axis) {
-          const auto of = static_cast<std::size_t>(axis);
-          within = within && u[axis] > double(changed.first[of]) - 2.0 &&
-                   u[axis] < double(changed.end[of]) + 1.0;
-        }
-        if (within)
-          contacts.dropUnordered(n);
-        else
-          ++n;
-      }
-    }
-    removed.add(carving_.lower(voxels_.get(), changed));
+  const std::int64_t of_row = 1 + carving_.voxelsInRow() / 12;
+  for (; work > 0 && !carving_.isDone() && budget.left(); work -= of_row) {
+    removed.add(carving_.lowerRow(voxels_.get(), scan_->voxels.get(), material));
+    budget.spend(of_row);
+  }
+  if (removed.voxels == 0) return removed;
+  // their cell, or one that their normal is taken from, may have a corner that was lowered
+  const Vec3 way = cut_.to_W - cut_.from_W;
+  const double square = way.squaredNorm();
+  const double reach =
+      cut_.radius + carving_.reach() + 2.0 * scene_->volume->grid.spacing.norm();
+  for (std::size_t n = 0; n < contacts.size();) {
+    Vec3 from = tool_W + contacts[n].r_W - cut_.from_W;
+    if (square > 0.0) from -= std::clamp(from.dot(way) / square, 0.0, 1.0) * way;
+    if (from.squaredNorm() < reach * reach)
+      contacts.dropUnordered(n);
+    else
+      ++n;
   }
   return removed;
 }
 
 std::size_t CarvedScene::refresh(std::size_t blocks) HAPTICS_RT {
-  if (!carving_.isDone()) return count_;
-  for (; blocks > 0 && count_ > 0; --blocks, --count_) {
+  const auto& counts = field_->pyramid().finestCounts();
+  for (blocks = std::min(blocks, count_); blocks > 0; --blocks) {
     const std::uint32_t block = waiting_[first_];
     first_ = (first_ + 1) % waiting_.size();
+    --count_;
+    const std::int64_t i = block % counts[0], j = block / counts[0] % counts[1],
+                       k = block / (counts[0] * counts[1]);
+    const VoxelBox here{{i, j, k}, {i + 1, j + 1, k + 1}};
+    float& raised = raised_[block];
     // at the faces of the volume it stays raised
-    if (field_->pyramid().renew(*scene_->volume, field_->kind(), block)) raised_[block] = 0.0F;
+    if (!field_->pyramid().renew(*scene_->volume, field_->kind(), block)) continue;
+    raised = 0.0F;
+    if (!isWithinRaised(here)) continue;
+    field_->pyramid().raise(block, raised_by_, raised);
+    waiting_[(first_ + count_++) % waiting_.size()] = block;
   }
   return count_;
 }

@@ -7,6 +7,7 @@
 
 #include "haptics/carving/burr.h"
 #include "haptics/collision/contact.h"
+#include "haptics/core/budget.h"
 #include "haptics/core/error.h"
 #include "haptics/core/realtime.h"
 #include "haptics/scene/scene.h"
@@ -30,25 +31,35 @@ class CarvedScene {
   const std::shared_ptr<const Scene>& scene() const HAPTICS_RT { return scene_; }
 
   /// Begins a cut; the one before must be done.
-  void begin(const BurrCut& cut) HAPTICS_RT { carving_ = BurrCarving{*scene_->volume, cut}; }
-  /// Goes on with it, up to so many rows of voxels. Returns what they lost. Drops contacts, of a
-  /// tool with its origin there, whose cells change: the tool would hang on what is gone.
-  Removed advance(std::int64_t rows, Contacts& contacts, const Vec3& tool_W) HAPTICS_RT;
+  void begin(const BurrCut& cut) HAPTICS_RT;
+  /// Goes on with it for so many units of work while there is budget. Returns what was removed.
+  /// Drops contacts, of a tool with its origin there, whose cells may have changed: the tool would
+  /// hang on what is gone.
+  Removed advance(const Material& material, Contacts& contacts, const Vec3& tool_W,
+                  std::int64_t work, Budget& budget) HAPTICS_RT;
   bool isDone() const HAPTICS_RT { return carving_.isDone(); }
-  /// Makes the bounds of up to so many blocks exact again. Returns how many are left.
+  /// Finds the bounds of up to so many blocks anew. Where it was cut last they stay as high as the
+  /// next cut may need. Returns how many blocks have bounds that are not exact.
   std::size_t refresh(std::size_t blocks) HAPTICS_RT;
+  /// No more cuts for now, so that refresh() makes all blocks exact.
+  void rest() HAPTICS_RT { raised_box_ = {}; }
 
  private:
   CarvedScene() = default;
-  void raiseAround(const VoxelBox& changed) HAPTICS_RT;
+  void raiseAround(const VoxelBox& voxels) HAPTICS_RT;
+  bool isWithinRaised(const VoxelBox& blocks) const HAPTICS_RT;
 
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<void> voxels_;        ///< those of the scene
+  std::shared_ptr<const Volume> scan_;  ///< as it was before the first cut
   std::shared_ptr<ScalarField> field_;  ///< the scene's
   BurrCarving carving_;
+  BurrCut cut_;                         ///< the one that `carving_` carries out
   std::vector<float> raised_;           ///< of each finest block, as of MaxPyramid::raise()
   std::vector<std::uint32_t> waiting_;  ///< blocks to be made exact, a ring with room for each
   std::size_t first_ = 0, count_ = 0;
+  VoxelBox raised_box_;                 ///< blocks that all are raised by `raised_by_`, or more
+  double raised_by_ = 0.0;              ///< value a voxel
 };
 
 }  // namespace haptics

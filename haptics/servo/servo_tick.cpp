@@ -58,6 +58,12 @@ ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy,
     result.tick.wrench_W =
         input.felt->shaped(*input.watch, *scene, *proxy, input.X_WD,
                            share * input.settings.stiffness, result.tick.wrench_W, period);
+  if (ready && input.cutting != nullptr) {
+    const Wrench drag = input.cutting->go(has(StepFlags::kCut), *proxy, input.X_WD,
+                                          input.settings.isovalue, period, budget);
+    result.tick.wrench_W.force += drag.force;
+    result.tick.wrench_W.torque += drag.torque;
+  }
   const Wrench wanted = input.hook == nullptr
                             ? result.tick.wrench_W
                             : input.hook->shaped(result.tick.wrench_W, input.X_WD, period);

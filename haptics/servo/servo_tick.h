@@ -6,6 +6,7 @@
 #include "haptics/core/realtime.h"
 #include "haptics/coupling/safety.h"
 #include "haptics/devices/ratings.h"
+#include "haptics/proxy/cutting.h"
 #include "haptics/proxy/felt.h"
 #include "haptics/proxy/tick.h"
 #include "haptics/settings.h"
@@ -32,6 +33,8 @@ struct ServoInput {
   WrenchHook* hook = nullptr;    ///< null in the live loop and in a replay
   const Watch* watch = nullptr;  ///< structures that are felt; null: none
   Felt* felt = nullptr;          ///< of the proxy; not null where there is a watch
+  /// Whose scene is touched; null: the tool cuts nothing. It cuts while StepFlags::kCut is set.
+  Cutting* cutting = nullptr;
 };
 
 /// Limits of a device's force in the live loop: its rating, a ramp of one second, and the shortest

@@ -32,6 +32,7 @@ struct StepFlags {
   static constexpr std::uint16_t kStalled = 4096;  ///< the third gap in ten seconds
   static constexpr std::uint16_t kStiffnessMoved = 8192;  ///< the changed setting is the stiffness
   static constexpr std::uint16_t kWatchMoved = 16384;  ///< other structures are felt, or otherwise
+  static constexpr std::uint16_t kCut = 32768;         ///< the burr turns: its key is held
 };
 
 /// One tick of a session: input and result. The servo thread fills it. It owns no memory.

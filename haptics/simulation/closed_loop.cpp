@@ -48,10 +48,17 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
   const std::int64_t period_ns = rate.period_ns();
   PosePredictor ahead{lead, linkage.encoder};
   Pose X_WD = ahead.ahead(link.read(device.X_WD), 0);
-  const std::optional<Pose> start = legalPoseNear(*scene, settings.isovalue, X_WD);
+  std::optional<Cutting> cutting;
+  if (cut) {
+    auto carved = CarvedScene::of(*scene);
+    if (!carved) return tl::unexpected(carved.error());
+    cutting.emplace(std::move(*carved), *cut);
+  }
+  const std::shared_ptr<const Scene> touched = cutting ? cutting->scene() : scene;
+  const std::optional<Pose> start = legalPoseNear(*touched, settings.isovalue, X_WD);
   if (!start) return tl::unexpected(Error{Error::Kind::Unsupported, {"session-no-room", {}}});
   if (on_start) on_start(*start);
-  Proxy proxy{*scene, *start};
+  Proxy proxy{*touched, *start};
   Safety safety{limits};
   Damping hook{*this, X_WD};
   const bool hooked = damping > 0.0 || passivity_damping > 0.0;
@@ -73,15 +80,18 @@ Expected<void> ClosedLoop::run(const Hand& hand, std::int64_t ticks,
 
     Budget budget = Budget::counted(budget_work > 0 ? budget_work : rate.budget_work());
     const std::int64_t begun = Budget::threadTime();
-    const ServoResult result =
-        servoTick({X_WD, settings, StepFlags::kArmed, hooked ? &hook : nullptr, watch.get(), &felt},
-                  scene.get(), &proxy, safety, period, budget);
-    if (watch) measure(*watch, *scene, proxy.X_WP, near);
+    std::uint16_t flags = StepFlags::kArmed;
+    if (cutting) flags |= StepFlags::kCut;
+    const ServoResult result = servoTick({X_WD, settings, flags, hooked ? &hook : nullptr,
+                                          watch.get(), &felt, cutting ? &*cutting : nullptr},
+                                         touched.get(), &proxy, safety, period, budget);
+    if (watch) measure(*watch, *touched, proxy.X_WP, near);
     const std::int64_t ended = Budget::threadTime();
     held = link.carry(result.sent_W, device.X_WD);
     if (!each({time, X_WD, proxy.X_WP, result.sent_W, result.tick.wrench_W, result.tick.contacts,
                ended - begun, device.X_WD, observer.energy(), budget.cutAt(), budget.spent(),
-               proxy.bearing, safety.state(), safety.stiffnessShare(), near}))
+               proxy.bearing, safety.state(), safety.stiffnessShare(), near,
+               cutting ? &*cutting : nullptr}))
       break;
   }
   return {};

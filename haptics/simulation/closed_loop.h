@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "haptics/core/geometry.h"
 #include "haptics/coupling/safety.h"
+#include "haptics/proxy/cutting.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/scene/scene.h"
 #include "haptics/scene/watch.h"
@@ -35,6 +37,7 @@ struct TraceRow {
   ForceState force_state = ForceState::Off;  ///< not part of the trace
   double stiffness_share = 1.0;              ///< Safety::stiffnessShare; not part of the trace
   Nearnesses near = {};                      ///< to the watched structures
+  const Cutting* cutting = nullptr;          ///< after the tick; null: nothing is cut
 };
 
 /// Hand, grip and servoTick in one loop, armed, without threads or clocks. Two runs give the same
@@ -54,11 +57,14 @@ struct ClosedLoop {
   /// Damping that a passivity controller may use, N·s/m; 0: no controller.
   double passivity_damping = 0.0;
   std::shared_ptr<const Watch> watch = {};  ///< structures to which distances are measured
+  /// The tool cuts from the first tick to the last, in a view of the scene's volume; none: it does
+  /// not. Another run begins at the uncut volume again.
+  std::optional<CutLaw> cut = {};
   /// Called once, before the first tick, with the pose at which the proxy begins; may be empty.
   std::function<void(const Pose&)> on_start = {};
 
   /// Runs `ticks` ticks and calls `each` with each row, until it returns false. Refuses a start
-  /// without a legal pose nearby.
+  /// without a legal pose nearby, and a volume that cannot be cut.
   Expected<void> run(const Hand& hand, std::int64_t ticks,
                      const std::function<bool(const TraceRow&)>& each);
 };

@@ -13,7 +13,7 @@
 namespace haptics {
 
 /// The motion of a simulated hand after it has found the surface.
-enum class HandMotion { Tap, Slide, Wedge, Pry, Hook, Jerk, Twist };
+enum class HandMotion { Tap, Slide, Wedge, Pry, Hook, Jerk, Twist, Plunge, Mill, Hollow };
 
 /// The pose that a hand wants for the tool, as a pure function of time.
 class Hand {

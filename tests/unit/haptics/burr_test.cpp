@@ -62,7 +62,7 @@ Removed carve(const Volume& volume, const BurrCut& cut) {
   BurrCarving carving{volume, cut};
   Removed removed;
   while (!carving.isDone())
-    removed.add(carving.lower(voxelsOf(volume), carving.changes(voxelsOf(volume))));
+    removed.add(carving.lowerRow(voxelsOf(volume), volume.voxels.get(), {}));
   return removed;
 }
 

@@ -33,6 +33,13 @@ std::unique_ptr<CarvedScene> carvedOf(const Volume& volume, FieldKind kind = Fie
   return CarvedScene::of(*scene).value();
 }
 
+/// As far as this work goes, with no contact.
+haptics::Removed advance(CarvedScene& carved, std::int64_t work) {
+  Contacts none;
+  auto budget = haptics::Budget::counted(1'000'000'000);
+  return carved.advance({}, none, Vec3::Zero(), work, budget);
+}
+
 BurrCut anyCut(const Volume& volume, double s, Random& random) {
   const Vec3 from =
       volume.grid.worldOf(0.5 * Vec3(double(volume.grid.dims[0]), double(volume.grid.dims[1]),
@@ -60,8 +67,7 @@ TEST(CarvedScene, HasNoBoundThatIsTooSmall) {
       const haptics::Grid grid = made::oddGrid(n, {41, 38, 45}, random);
       const Volume volume = made::randomVolume(grid, type, random);
       const auto carved = carvedOf(volume, kind);
-      Contacts none;
-      for (int round = 0; round < made::trials(20); ++round) {
+        for (int round = 0; round < made::trials(20); ++round) {
         BurrCut cut = anyCut(volume, 0.0, random);
         cut.from_W = grid.worldOf(Vec3(20, 19, 22) + random.box(20.0));
         cut.to_W = cut.from_W + random.box(1e-3);
@@ -69,7 +75,7 @@ TEST(CarvedScene, HasNoBoundThatIsTooSmall) {
         cut.isovalue = volume.least + random.in(0.1, 0.9) * (volume.greatest - volume.least);
         carved->begin(cut);
         while (!carved->isDone()) {
-          carved->advance(random.below(200) + 1, none, Vec3::Zero());
+          advance(*carved, random.below(200) + 1);
           carved->refresh(3);
           if (round % 5 == 0) expectBounds(*carved);
           if (HasFatalFailure()) return;
@@ -93,7 +99,6 @@ TEST(CarvedScene, IsMissedByNoArcBetweenCuts) {
     const auto carved = carvedOf(*solid.volume);
     study::arcs::Target target{solid.name, *carved->scene()->volume, solid.isovalues, solid.half,
                                solid.samples};
-    Contacts none;
     const auto detect = [&carved](const study::arcs::Target&, double s,
                                   const study::arcs::Arc& arc) {
       return study::arcs::crossed({carved->scene()->field, s}, arc, haptics::Tolerances{kSide});
@@ -105,7 +110,7 @@ TEST(CarvedScene, IsMissedByNoArcBetweenCuts) {
       target.steepest = std::max(target.steepest, std::sqrt(3.0) * asked.steepest() / kSide);
       carved->begin(cut);
       while (!carved->isDone()) {
-        lowered += carved->advance(60, none, Vec3::Zero()).voxels;
+        lowered += advance(*carved, 60).voxels;
         tally += study::arcs::shootPoints(target, 4, random, detect);
         carved->refresh(std::size_t(random.below(8)));
       }
@@ -123,10 +128,10 @@ TEST(CarvedScene, IsExactAgainOnceAllIsRefreshed) {
   Random random{73};
   const Volume volume = datasets::whiteNoise(datasets::centredGrid(48, kSide), 3);
   const auto carved = carvedOf(volume);
-  Contacts none;
   const Vec3 middle = volume.grid.worldOf(Vec3::Constant(24.0));
   carved->begin({middle, middle + Vec3(2.0 * kSide, 0.0, 0.0), 3.0 * kSide, 100.0});
-  carved->advance(1'000'000, none, Vec3::Zero());
+  advance(*carved, 1'000'000);
+  carved->rest();
   const auto waiting = carved->refresh(0);
   EXPECT_GT(waiting, 50U);
   EXPECT_EQ(carved->refresh(10), waiting - 10);
@@ -162,7 +167,8 @@ TEST(CarvedScene, DropsContactsWhoseCellIsCut) {
   }
   const double s = 0.5 * (volume.least + volume.greatest);
   carved->begin({tool, tool, 1.5e-3, s});
-  EXPECT_GT(carved->advance(1'000'000, contacts, tool).voxels, 10);
+  auto budget = haptics::Budget::counted(1'000'000);
+  EXPECT_GT(carved->advance({}, contacts, tool, 1'000'000, budget).voxels, 10);
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts[0].r_W.x(), 0.008);
 }

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/proxy/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace haptics {
+namespace {
+
+// Units in a tick, some 25 us: what is left of a cut waits for the next ticks.
+constexpr std::int64_t kCutWork = 2'200;
+// Voxels that the ball goes beyond the proxy's, or stays behind it, in one cut.
+constexpr double kMostAhead = 0.25;
+// The same of what may be owed: what the law gives and nothing takes is forgotten.
+constexpr double kMostOwed = 1.0;
+// Of what is owed, by which the stand-off grows in a tick.
+constexpr double kLearning = 0.05;
+// Of the burr's radius: a shell's point so far beyond it is not on it.
+constexpr double kOnBurr = 1e-3;
+constexpr double kSmoothing = 0.005;  // s, of the device's velocity
+constexpr double kFullDrag = 0.1;     // m/s along the surface from which the drag is whole
+
+}  // namespace
+
+Vec3 Cutting::pressOn(const Proxy& proxy) const HAPTICS_RT {
+  const Vec3 c_W = proxy.X_WP.linear() * law_.burr.centre_P;
+  const double reach = (1.0 + kOnBurr) * law_.burr.radius;
+  Vec3 press = Vec3::Zero();
+  for (const BearingContact& contact : proxy.bearing)
+    if ((contact.r_W - c_W).squaredNorm() <= reach * reach) press += contact.push * contact.n_W;
+  return press;
+}
+
+// The ball that is cut lies ahead of the proxy's: by the stand-off, as the tool rests a little
+// before the surface and touches it with points only, and by the energy that is owed, over what a
+// disk of the burr's size takes for each metre. A smaller area takes less, so what is owed grows
+// until it is taken; the sum is exact whatever the surface looks like.
+void Cutting::begin(const Vec3& press_W, const Vec3& centre_W, double isovalue) HAPTICS_RT {
+  const Burr& burr = law_.burr;
+  const double voxel = scene()->field.voxel(), most = kMostAhead * voxel;
+  const double each = std::numbers::pi * burr.radius * burr.radius *
+                      (removed_.volume > 0.0 ? removed_.energy / removed_.volume
+                                             : law_.material.energyAt(isovalue));
+  owed_ = std::min(owed_, kMostOwed * voxel * each);
+  standoff_ = std::clamp(standoff_ + kLearning * owed_ / each, 0.0, most);
+  const double ahead = std::min(standoff_ + owed_ / each, most);
+  if (!(ahead > -most)) {
+    last_W_.reset();
+    return;
+  }
+  const Vec3 to = centre_W - ahead * press_W.normalized();
+  const bool goes_on = last_W_ && (to - *last_W_).norm() < burr.radius;
+  // so much wider that the tool fits into what it cut, with the gap at which it rests on all sides
+  const double radius = burr.radius + scene()->lengths.epsilon;
+  begun_ = BurrCut{goes_on ? *last_W_ : to, to, radius, isovalue};
+  last_W_ = to;
+  carved_->begin(*begun_);
+}
+
+Vec3 Cutting::dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPTICS_RT {
+  const Vec3 c_W = X_WD * law_.burr.centre_P;
+  if (burr_WD_) velocity_W_ += period / (kSmoothing + period) * ((c_W - *burr_WD_) / period - velocity_W_);
+  burr_WD_ = c_W;
+  const double force = press_W.norm();
+  if (!(force > 0.0)) return Vec3::Zero();
+  const Vec3 n = press_W / force;
+  const Vec3 along = velocity_W_ - velocity_W_.dot(n) * n;
+  return -law_.share * force / std::max(kFullDrag, along.norm()) * along;
+}
+
+Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
+                   Budget& budget) HAPTICS_RT {
+  begun_.reset();
+  const Vec3 press = held && !proxy.recovery.active ? pressOn(proxy) : Vec3::Zero();
+  force_ = press.norm();
+  const Vec3 drag = dragFor(press, X_WD, period);
+  if (!held) {
+    last_W_.reset();
+    owed_ = std::min(owed_, 0.0);
+  }
+  owed_ += law_.share * force_ * law_.speed * law_.burr.radius * period;
+  if (carved_->isDone() && force_ > 0.0) begin(press, proxy.X_WP * law_.burr.centre_P, isovalue);
+  const Removed now = carved_->advance(law_.material, proxy.contacts, proxy.X_WP.translation(),
+                                       kCutWork, budget);
+  if (now.voxels > 0) proxy.clearance.lowered();
+  removed_.add(now);
+  owed_ -= now.energy;
+  if (!held && carved_->isDone()) carved_->rest();
+  if (budget.left()) carved_->refresh(1);
+  return {.force = drag, .torque = (X_WD.linear() * law_.burr.centre_P).cross(drag)};
+}
+
+}  // namespace haptics

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "haptics/carving/burr.h"
+#include "haptics/carving/material.h"
+#include "haptics/core/budget.h"
+#include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
+#include "haptics/proxy/proxy.h"
+#include "haptics/scene/carved_scene.h"
+
+namespace haptics {
+
+/// The part of a tool that cuts: a ball.
+struct Burr {
+  Vec3 centre_P = Vec3::Zero();  ///< m
+  double radius = 0.0;           ///< m
+};
+
+/// How a burr removes material: as much in a second as
+///
+///   Q = share F speed radius / energy,
+///
+/// F the normal force on the burr, so that the power of its friction becomes energy of removal
+/// [Agus 2003]; the energy that a volume takes is a constant of the material [Arbabtafti 2011].
+struct CutLaw {
+  Burr burr;
+  double speed = 6283.0;  ///< rad/s; a surgical drill turns 10,000 to 80,000 times a minute
+  /// Tangential force on the burr over the normal one: of steel on wet bone some 0.1 to 0.6.
+  double share = 0.3;
+  /// By the scan's value. Reports on cortical bone go from 0.03 J/mm3 for thick chips to 5 J/mm3
+  /// where abrasive grains take microns; 1 J/mm3 is between them, and a choice.
+  Material material;
+};
+
+/// Cuts with the tool's burr where the proxy is pressed against the surface. Servo thread, but for
+/// its making.
+class Cutting {
+ public:
+  Cutting(std::unique_ptr<CarvedScene> carved, const CutLaw& law)
+      : carved_{std::move(carved)}, law_{law} {}
+
+  /// The scene to touch. It changes with each cut.
+  const std::shared_ptr<const Scene>& scene() const HAPTICS_RT { return carved_->scene(); }
+  const CutLaw& law() const HAPTICS_RT { return law_; }
+
+  /// After a tick: goes on with the cut under way, or begins the next while `held`. Returns the
+  /// burr's drag on the hand, about the origin of D: up to the law's share of the normal force,
+  /// against the device's motion along the surface. What a turning burr does besides, walk across
+  /// its path, is left out: it would push a hand that did not ask for it.
+  Wrench go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
+            Budget& budget) HAPTICS_RT;
+
+  /// The cut that the last call began, if it did.
+  const std::optional<BurrCut>& begun() const HAPTICS_RT { return begun_; }
+  /// Since it was made.
+  const Removed& removed() const HAPTICS_RT { return removed_; }
+  double force() const HAPTICS_RT { return force_; }  ///< N, on the burr in the last call
+  /// Whether every cut is carried out and all bounds are exact.
+  bool isAtRest() const HAPTICS_RT { return carved_->isDone() && carved_->refresh(0) == 0; }
+
+ private:
+  /// N, W: what the surface does to the burr.
+  Vec3 pressOn(const Proxy& proxy) const HAPTICS_RT;
+  void begin(const Vec3& press_W, const Vec3& centre_W, double isovalue) HAPTICS_RT;
+  Vec3 dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPTICS_RT;
+
+  std::unique_ptr<CarvedScene> carved_;
+  CutLaw law_;
+  Removed removed_;
+  /// J that the law has given and cuts have not taken yet; below 0 they took more.
+  double owed_ = 0.0;
+  double standoff_ = 0.0;       ///< m: of the tool before the surface that it rests on
+  std::optional<Vec3> last_W_;  ///< where the last cut ended; none: the next begins anew
+  std::optional<BurrCut> begun_;
+  double force_ = 0.0;
+  std::optional<Vec3> burr_WD_;    ///< m: of the device's burr, in the last tick
+  Vec3 velocity_W_ = Vec3::Zero();  ///< m/s: of the device's burr, smoothed
+};
+
+}  // namespace haptics

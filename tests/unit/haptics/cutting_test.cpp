@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A burr takes away what its law says, follows the hand into what it cut, and never enters what is
+// left.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "datasets/phantoms/making.h"
+#include "datasets/phantoms/sampling.h"
+#include "haptics/proxy/tick.h"
+#include "haptics/servo/servo_tick.h"
+#include "haptics/servo/step.h"
+#include "haptics/simulation/penetration.h"
+#include "tests/support/made.h"
+
+namespace {
+
+using haptics::Budget;
+using haptics::CarvedScene;
+using haptics::CutLaw;
+using haptics::Cutting;
+using haptics::Pose;
+using haptics::Proxy;
+using haptics::Safety;
+using haptics::ScalarType;
+using haptics::Settings;
+using haptics::StepFlags;
+using haptics::Tool;
+using haptics::Vec3;
+using haptics::Volume;
+
+constexpr double kVoxel = 0.4e-3, kRadius = 2e-3, kSurface = 6e-3;
+
+/// A half-space below z = kSurface, 1,200 over air.
+Volume block(ScalarType type) {
+  haptics::Grid grid;
+  grid.dims = {60, 60, 50};
+  grid.spacing = Vec3::Constant(kVoxel);
+  grid.origin = Vec3(-30 * kVoxel, -30 * kVoxel, -40 * kVoxel + kSurface);
+  const bool bytes = type == ScalarType::UInt8;
+  const double least = bytes ? 0.0 : -1024.0, solid = bytes ? 220.0 : 1200.0;
+  return datasets::filled(grid, type, [&](auto, auto, auto k) {
+    // a ramp of three voxels, with its middle at the surface
+    const double above = (double(k) - 40.0) / 3.0 + 0.5;
+    return std::round(solid + (least - solid) * std::clamp(above, 0.0, 1.0));
+  });
+}
+
+/// A ball of points on a stick, whose centre is the tool's origin but for the stick.
+Tool ballTool() {
+  std::vector<Vec3> points;
+  constexpr int kPoints = 600;
+  const double golden = M_PI * (3.0 - std::sqrt(5.0));
+  for (int n = 0; n < kPoints; ++n) {
+    const double z = 1.0 - (2.0 * n + 1.0) / kPoints, r = std::sqrt(1.0 - z * z);
+    points.push_back(kRadius * Vec3(r * std::cos(golden * n), r * std::sin(golden * n), z));
+  }
+  return {"ball", {}, haptics::makeShell(std::move(points)).value()};
+}
+
+struct Press {
+  ScalarType type = ScalarType::Int16;
+  double force = 2.0, seconds = 1.0;
+  int hz = 1000;
+};
+
+struct Outcome {
+  double volume = 0.0, given = 0.0;  ///< m3: removed, and what the law says of the pushes
+  double depth = 0.0, radius = 0.0;  ///< m: of the ball that was cut
+  double deepest = 0.0;              ///< m: penetration
+};
+
+/// Presses the ball into the block by a device that is moved so that the coupling has this force.
+Outcome press(const Press& how, const CutLaw& law) {
+  const double s = how.type == ScalarType::UInt8 ? 110.0 : 88.0;
+  const auto scene = haptics::makeScene(made::shared(block(how.type)), ballTool()).value();
+  Cutting cutting{CarvedScene::of(*scene).value(), law};
+  Pose X = Pose::Identity();
+  X.translation().z() = kSurface + kRadius + 0.2e-3;
+  Proxy proxy{*cutting.scene(), X};
+  Safety safety{{}};
+  const double period = 1.0 / how.hz;
+  Settings settings;
+  settings.isovalue = s;
+  settings.stiffness = 5000.0;
+  Outcome outcome;
+  Pose X_WD = X;
+  for (int n = 0; n < how.seconds * how.hz; ++n) {
+    // as far before the proxy as the force wants
+    X_WD.translation() = proxy.X_WP.translation() - Vec3(0.0, 0.0, how.force / settings.stiffness);
+    Budget budget = Budget::counted(1'000'000);
+    haptics::servoTick({X_WD, settings, StepFlags::kArmed | StepFlags::kCut, nullptr, nullptr, nullptr, &cutting},
+              cutting.scene().get(), &proxy, safety, period, budget);
+    outcome.given += law.share * cutting.force() * law.speed * law.burr.radius * period /
+                     law.material.energyAt(s);
+    outcome.deepest =
+        std::max(outcome.deepest, haptics::penetration(*cutting.scene(), s, proxy.X_WP));
+    if (cutting.begun())
+      outcome.depth = kSurface - cutting.begun()->to_W.z() + cutting.begun()->radius;
+    outcome.radius = kRadius + cutting.scene()->lengths.epsilon;
+  }
+  outcome.volume = cutting.removed().volume;
+  return outcome;
+}
+
+CutLaw lawOf() {
+  CutLaw law;
+  law.burr = {Vec3::Zero(), kRadius};
+  law.material.bands[0].energy = 1e9;
+  return law;
+}
+
+TEST(Cutting, TakesWhatTheLawSays) {
+  for (const double force : {0.5, 2.0, 10.0}) {
+    const Press how{.force = force, .seconds = 10.0 / (force * 3.77)};
+    const Outcome cut = press(how, lawOf());
+    const double law = 0.3 * force * 6283.0 * kRadius / 1e9 * how.seconds;
+    const double h = cut.depth, cap = M_PI * h * h * (3.0 * cut.radius - h) / 3.0;
+    std::printf("%g N: %.3f mm3, law %.3f (pushes %.3f), cap %.3f (h %.3f mm), inside %g\n", force,
+                cut.volume * 1e9, law * 1e9, cut.given * 1e9, cap * 1e9, h * 1e3, cut.deepest);
+    EXPECT_NEAR(cut.volume / law, 1.0, 0.02) << force;
+    EXPECT_NEAR(cap / law, 1.0, 0.02) << force;
+    EXPECT_EQ(cut.deepest, 0.0);
+  }
+}
+
+TEST(Cutting, TakesTheSameAtEveryRateAndInEveryType) {
+  const Outcome at_1000 = press({}, lawOf());
+  for (const int hz : {500, 4000}) {
+    const Outcome other = press({.hz = hz}, lawOf());
+    std::printf("%d Hz: %.4f, %.4f mm deep\n", hz, other.volume / at_1000.volume, (other.depth-at_1000.depth)*1e3);
+    EXPECT_NEAR(other.volume / at_1000.volume, 1.0, 0.01) << hz;
+  }
+  for (const ScalarType type : {ScalarType::UInt8, ScalarType::Float32}) {
+    const Outcome other = press({.type = type}, lawOf());
+    std::printf("%s: %.4f, %.4f mm deep\n", haptics::nameOf(type), other.volume / at_1000.volume, (other.depth-at_1000.depth)*1e3);
+    EXPECT_NEAR(other.volume / at_1000.volume, 1.0, 0.02) << haptics::nameOf(type);
+  }
+}
+
+}  // namespace
