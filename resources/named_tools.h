@@ -20,6 +20,9 @@ struct NamedTool {
   /// m: diameter of the ball or the wire at the tip, width of the blade, thickness of the wrench,
   /// side of the peg.
   double tip = 0.0;
+
+  /// Whether the ball at its tip may cut.
+  bool cuts() const { return use == "Drilling" || name == "sphere"; }
 };
 
 /// All of them; those of one use follow each other.
@@ -30,6 +33,7 @@ const NamedTool* findNamedTool(std::string_view name);
 
 /// Their names in a sentence: "burr-2, burr-4, …".
 std::string namesOfTools();
+std::string namesOfCuttingTools();
 
 /// A named tool's mesh in metres; an unknown name lists the known ones.
 haptics::Expected<haptics::TriangleMesh> namedToolMesh(const std::string& name);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <numeric>
 
 #include "app/build_info/build_info.h"
@@ -19,6 +20,7 @@
 #include "app/cli/trace.h"
 #ifdef PALPATE_READERS
 #include "app/cli/watching.h"
+#include "datasets/readers/nrrd/writer.h"
 #endif
 #include "app/export/facts.h"
 #include "app/measurement/quantile.h"
@@ -59,6 +61,10 @@ struct RunOptions {
   std::int64_t budget_us = 0;  ///< counted, 10 ns a unit; 0: what the rate gives
   std::string device = {};
   int rate = haptics::ServoRate{}.hz;
+  bool cut = false;
+  double burr_speed_rpm = 60'000.0;
+  double burr_energy = 1.0;  ///< J/mm3
+  std::string save_volume = {};
   std::string trace = {};
   std::string record = {};
   std::uint64_t seed = 1;
@@ -73,9 +79,10 @@ struct RunOptions {
 const std::map<std::string, haptics::HandMotion>& motions() {
   using haptics::HandMotion;
   static const std::map<std::string, HandMotion> kMotions{
-      {"tap", HandMotion::Tap},    {"slide", HandMotion::Slide}, {"wedge", HandMotion::Wedge},
-      {"pry", HandMotion::Pry},    {"hook", HandMotion::Hook},   {"jerk", HandMotion::Jerk},
-      {"twist", HandMotion::Twist}};
+      {"tap", HandMotion::Tap},      {"slide", HandMotion::Slide},   {"wedge", HandMotion::Wedge},
+      {"pry", HandMotion::Pry},      {"hook", HandMotion::Hook},     {"jerk", HandMotion::Jerk},
+      {"twist", HandMotion::Twist},  {"plunge", HandMotion::Plunge}, {"mill", HandMotion::Mill},
+      {"hollow", HandMotion::Hollow}};
   return kMotions;
 }
 
@@ -115,8 +122,12 @@ struct Tally {
   std::int64_t much_work = 0, much_ns = 0;  ///< of ticks with much of it
   int most_contacts = 0;
   double penetration_mm = 0.0, apart_m = 0.0, coupling_m = 0.0, force = 0.0, torque = 0.0;
+  haptics::Removed removed;
+  std::int64_t cutting_ticks = 0;  ///< in which the burr bore force
+  double cutting_force = 0.0;      ///< N, their sum
 
-  void add(const haptics::TraceRow& row, const haptics::Scene& scene, double isovalue) {
+  void add(const haptics::TraceRow& row, const haptics::Scene& uncut, double isovalue) {
+    const haptics::Scene& scene = row.cutting != nullptr ? *row.cutting->scene() : uncut;
     ++ticks;
     tick_us.push_back(double(row.cpu_ns) * 1e-3);
     work += row.work;
@@ -130,6 +141,11 @@ struct Tally {
         !std::isfinite(row.coupling_W.torque.norm())) {
       ++non_finite;
       return;
+    }
+    if (row.cutting != nullptr) {
+      removed = row.cutting->removed();
+      cutting_ticks += row.cutting->force() > 0.0;
+      cutting_force += row.cutting->force();
     }
     penetration_mm =
         std::max(penetration_mm, haptics::penetration(scene, isovalue, row.X_WP) * 1e3);
@@ -225,6 +241,16 @@ std::string nameOf(const ToolChoice& choice) {
   return resources::findNamedTool(choice.name) != nullptr ? choice.name : std::string{};
 }
 
+/// The ball of a tool that drills: a named burr, or the ball.
+std::optional<haptics::Burr> burrOf(const ToolChoice& choice, const haptics::PointShell& shell) {
+  const resources::NamedTool* tool = resources::findNamedTool(choice.name);
+  if (tool == nullptr || !tool->cuts()) return {};
+  const double radius = 0.5 * tool->tip;
+  const haptics::Vec3 end =
+      *std::ranges::min_element(shell.points, {}, [](const haptics::Vec3& p) { return p.z(); });
+  return haptics::Burr{{-shell.origin.x(), -shell.origin.y(), end.z() + radius}, radius};
+}
+
 /// All that decides a run: one number or word for each name, and lists of numbers.
 nlohmann::ordered_json settingsOf(const RunOptions& options, const haptics::Scene& scene) {
   const haptics::Volume& volume = *scene.volume;
@@ -257,6 +283,13 @@ nlohmann::ordered_json settingsOf(const RunOptions& options, const haptics::Scen
       {"points", scene.tool.shell.points.size()},
       {"tool_origin_mm", {origin_mm.x(), origin_mm.y(), origin_mm.z()}}};
   if (scripted) json["seed"] = options.seed;
+  if (options.cut) {
+    const haptics::CutLaw law;
+    json["burr_mm"] = 1e3 * resources::findNamedTool(options.tool.name)->tip;
+    json["burr_speed_rpm"] = options.burr_speed_rpm;
+    json["burr_share"] = law.share;
+    json["burr_energy_J_mm3"] = options.burr_energy;
+  }
   return json;
 }
 
@@ -328,9 +361,14 @@ Outcome run(const RunOptions& options) {
     limits = haptics::limitsOf(*rating);
   }
   if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
+  if (!options.cut && !options.save_volume.empty())
+    return usage("--save-volume writes what a run left of the volume; add --cut.");
+  if (options.cut && !options.record.empty())
+    return usage("A recording does not hold cuts yet; leave out --record or --cut.");
   std::vector<Target> targets;
   if (!options.trace.empty()) targets.push_back({"--trace", options.trace});
   if (!options.record.empty()) targets.push_back({"--record", options.record});
+  if (!options.save_volume.empty()) targets.push_back({"--save-volume", options.save_volume});
   const std::optional<std::string> sidecar = sidecarOf(options.trace);
   if (sidecar) targets.push_back({"the description of --trace", *sidecar});
   std::vector<std::string> inputs{options.tool.name, options.hand};
@@ -387,6 +425,16 @@ Outcome run(const RunOptions& options) {
   Nearest nearest{*watch};
 #endif
   loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
+  if (options.cut) {
+    const auto burr = burrOf(options.tool, (*scene)->tool.shell);
+    if (!burr)
+      return usage("The tool \"" + options.tool.name + "\" has no burr that cuts; choose one of " +
+                   resources::namesOfCuttingTools() + ".");
+    loop.cut.emplace();
+    loop.cut->burr = *burr;
+    loop.cut->speed = options.burr_speed_rpm * 2.0 * std::numbers::pi / 60.0;
+    loop.cut->material.bands[0].energy = options.burr_energy * 1e9;
+  }
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
   const std::optional<double> allowed = allowedIn(loop, rating);
@@ -425,10 +473,12 @@ Outcome run(const RunOptions& options) {
   }
   Tally tally;
   bool stopped = false;
+  std::shared_ptr<const haptics::Scene> left;  // what the cuts left
   const auto ticks = static_cast<std::int64_t>(std::llround(options.seconds * options.rate));
   Progress progress{ticks};
   const auto done = loop.run(hand->hand, ticks, [&](const haptics::TraceRow& row) {
     tally.add(row, **scene, options.isovalue);
+    if (row.cutting != nullptr) left = row.cutting->scene();
     progress.at(tally.ticks);
 #ifdef PALPATE_READERS
     nearest.add(row.time, row.near);
@@ -464,6 +514,13 @@ Outcome run(const RunOptions& options) {
 #ifdef PALPATE_READERS
   if (loop.watch) outcome.json["watched"] = nearest.report();
 #endif
+  if (options.cut)
+    outcome.json["cutting"] = {
+        {"removed_mm3", tally.removed.volume * 1e9},
+        {"removed_J", tally.removed.energy},
+        {"ticks", tally.cutting_ticks},
+        {"mean_force_N",
+         tally.cutting_ticks > 0 ? tally.cutting_force / double(tally.cutting_ticks) : 0.0}};
   outcome.json["settings"] = settings;
   outcome.json["made_by"] = madeBy("palpate-cli");
   // both are finished before one is judged
@@ -475,6 +532,12 @@ Outcome run(const RunOptions& options) {
     outcome.json["recording"] = *finished;
   }
   if (!traced) return {Exit::Failed, outcome.json, {}, resources::sentence(traced.error())};
+#ifdef PALPATE_READERS
+  if (left && !options.save_volume.empty()) {
+    const auto saved = datasets::writeNrrd(*left->volume, options.save_volume);
+    if (!saved) return {Exit::Failed, outcome.json, {}, resources::sentence(saved.error())};
+  }
+#endif
   if (stopped) {
     outcome.code = Exit::Interrupted;
     outcome.error = "Stopped; the report covers the run until then.";
@@ -514,8 +577,9 @@ void addRun(CLI::App& program, Chosen& chosen) {
   command->add_option("--tool-unit", options->tool.unit, "Unit of a mesh file")
       ->check(CLI::IsMember({"m", "mm", "cm", "in"}));
   command
-      ->add_option("--hand", options->hand,
-                   "tap, slide, wedge, pry, hook, jerk, twist, or a CSV of poses")
+      ->add_option(
+          "--hand", options->hand,
+          "tap, slide, wedge, pry, hook, jerk, twist, plunge, mill, hollow, or a CSV of poses")
       ->required()
       ->check(notEmpty());
   command->add_option("--seconds", options->seconds, "Length of the run [s]")
@@ -562,7 +626,20 @@ void addRun(CLI::App& program, Chosen& chosen) {
   command->add_option("--rate", options->rate, "Ticks of the servo loop in a second [Hz]")
       ->check(CLI::IsMember(servoRates()))
       ->capture_default_str();
+  auto* cut = command->add_flag("--cut", options->cut,
+                                "The tool's burr removes what it is pressed against");
+  command
+      ->add_option("--burr-speed", options->burr_speed_rpm, "Turns of the burr in a minute [1/min]")
+      ->check(finiteNumber() & CLI::Range(1.0, 500'000.0))
+      ->needs(cut)
+      ->capture_default_str();
+  command->add_option("--burr-energy", options->burr_energy, "What removing a volume takes [J/mm3]")
+      ->check(finiteNumber() & CLI::Range(0.001, 1000.0))
+      ->needs(cut)
+      ->capture_default_str();
 #ifdef PALPATE_READERS
+  command->add_option("--save-volume", options->save_volume, "NRRD to write: what is left")
+      ->check(notEmpty());
   addWatching(*command, options->watch, true);
 #endif
   command->add_option("--trace", options->trace, "CSV to write, one row per tick")

@@ -95,10 +95,10 @@ Removed BurrCarving::lowerTyped(T* row, const T* scan, double y, double z,
   const double square = around_square_ - dy * dy - dz * dz;
   if (!(square > 0.0)) return removed;
   const double half = std::sqrt(square);
-  const auto first = std::max(
-      box_.first[0], static_cast<std::int64_t>((middle_.x() - half) / spacing_.x()));
-  const auto end = std::min(
-      box_.end[0], static_cast<std::int64_t>((middle_.x() + half) / spacing_.x()) + 1);
+  const auto first =
+      std::max(box_.first[0], static_cast<std::int64_t>((middle_.x() - half) / spacing_.x()));
+  const auto end =
+      std::min(box_.end[0], static_cast<std::int64_t>((middle_.x() + half) / spacing_.x()) + 1);
   const auto lower = [&](auto ball, auto real) {
     using Real = decltype(real);
     lanes::RowOfVoxels<Real> voxels;
@@ -131,16 +131,16 @@ Removed BurrCarving::lowerTyped(T* row, const T* scan, double y, double z,
   return removed;
 }
 
-Removed BurrCarving::lowerRow(void* voxels, const void* scan,
-                              const Material& material) HAPTICS_RT {
+Removed BurrCarving::lowerRow(void* voxels, const void* scan, const Material& material) HAPTICS_RT {
   const std::int64_t across = box_.end[1] - box_.first[1];
   const std::int64_t j = box_.first[1] + next_ % across, k = box_.first[2] + next_ / across;
   ++next_;
   const std::int64_t at = (k * dims_[1] + j) * dims_[0];
   Removed removed = visitVoxels(type_, scan, [&](const auto* typed) {
     using T = std::remove_cvref_t<decltype(*typed)>;
-    return lowerTyped(static_cast<T*>(voxels) + at, typed + at, static_cast<double>(j) * spacing_.y(),
-                      static_cast<double>(k) * spacing_.z(), material);
+    return lowerTyped(static_cast<T*>(voxels) + at, typed + at,
+                      static_cast<double>(j) * spacing_.y(), static_cast<double>(k) * spacing_.z(),
+                      material);
   });
   const double voxel = spacing_.prod();
   removed.volume *= voxel;

@@ -16,16 +16,15 @@ constexpr double kMostAhead = 0.25;
 constexpr double kMostOwed = 1.0;
 // Of what is owed, by which the stand-off grows in a tick.
 constexpr double kLearning = 0.05;
-// Of the burr's radius: a shell's point so far beyond it is not on it.
-constexpr double kOnBurr = 1e-3;
-constexpr double kSmoothing = 0.005;  // s, of the device's velocity
+constexpr double kOnBurr = 2e-6;      // m: a shell's point so far beyond the ball is not on it
+constexpr double kSmoothing = 0.005;  // s, of the device's velocity and of the drag
 constexpr double kFullDrag = 0.1;     // m/s along the surface from which the drag is whole
 
 }  // namespace
 
 Vec3 Cutting::pressOn(const Proxy& proxy) const HAPTICS_RT {
   const Vec3 c_W = proxy.X_WP.linear() * law_.burr.centre_P;
-  const double reach = (1.0 + kOnBurr) * law_.burr.radius;
+  const double reach = law_.burr.radius + kOnBurr;
   Vec3 press = Vec3::Zero();
   for (const BearingContact& contact : proxy.bearing)
     if ((contact.r_W - c_W).squaredNorm() <= reach * reach) press += contact.push * contact.n_W;
@@ -59,14 +58,22 @@ void Cutting::begin(const Vec3& press_W, const Vec3& centre_W, double isovalue) 
 }
 
 Vec3 Cutting::dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPTICS_RT {
+  const double part = period / (kSmoothing + period);
   const Vec3 c_W = X_WD * law_.burr.centre_P;
-  if (burr_WD_) velocity_W_ += period / (kSmoothing + period) * ((c_W - *burr_WD_) / period - velocity_W_);
+  if (burr_WD_) velocity_W_ += part * ((c_W - *burr_WD_) / period - velocity_W_);
   burr_WD_ = c_W;
   const double force = press_W.norm();
-  if (!(force > 0.0)) return Vec3::Zero();
-  const Vec3 n = press_W / force;
-  const Vec3 along = velocity_W_ - velocity_W_.dot(n) * n;
-  return -law_.share * force / std::max(kFullDrag, along.norm()) * along;
+  Vec3 drag = Vec3::Zero();
+  if (force > 0.0) {
+    const Vec3 n = press_W / force;
+    const Vec3 along = velocity_W_ - velocity_W_.dot(n) * n;
+    drag = -law_.share * force / std::max(kFullDrag, along.norm()) * along;
+  }
+  drag_W_ += part * (drag - drag_W_);
+  // smoothed, it must not push on after the hand has turned
+  const double with = drag_W_.dot(velocity_W_);
+  if (with > 0.0) drag_W_ -= with / velocity_W_.squaredNorm() * velocity_W_;
+  return drag_W_;
 }
 
 Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
@@ -81,8 +88,8 @@ Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, d
   }
   owed_ += law_.share * force_ * law_.speed * law_.burr.radius * period;
   if (carved_->isDone() && force_ > 0.0) begin(press, proxy.X_WP * law_.burr.centre_P, isovalue);
-  const Removed now = carved_->advance(law_.material, proxy.contacts, proxy.X_WP.translation(),
-                                       kCutWork, budget);
+  const Removed now =
+      carved_->advance(law_.material, proxy.contacts, proxy.X_WP.translation(), kCutWork, budget);
   if (now.voxels > 0) proxy.clearance.lowered();
   removed_.add(now);
   owed_ -= now.energy;

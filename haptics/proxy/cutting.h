@@ -29,10 +29,11 @@ struct Burr {
 struct CutLaw {
   Burr burr;
   double speed = 6283.0;  ///< rad/s; a surgical drill turns 10,000 to 80,000 times a minute
-  /// Tangential force on the burr over the normal one: of steel on wet bone some 0.1 to 0.6.
+  /// Tangential force on the burr over the normal one, some 0.1 to 0.6; 0.3 is a choice.
   double share = 0.3;
-  /// By the scan's value. Reports on cortical bone go from 0.03 J/mm3 for thick chips to 5 J/mm3
-  /// where abrasive grains take microns; 1 J/mm3 is between them, and a choice.
+  /// By the scan's value. For cortical bone it is some 0.05 J/mm3 where chips are a tenth of a
+  /// millimetre thick, and tens of times more where they are microns thin [Wiggins 1978]; 1 J/mm3
+  /// is a choice between them.
   Material material;
 };
 
@@ -77,8 +78,9 @@ class Cutting {
   std::optional<Vec3> last_W_;  ///< where the last cut ended; none: the next begins anew
   std::optional<BurrCut> begun_;
   double force_ = 0.0;
-  std::optional<Vec3> burr_WD_;    ///< m: of the device's burr, in the last tick
+  std::optional<Vec3> burr_WD_;     ///< m: of the device's burr, in the last tick
   Vec3 velocity_W_ = Vec3::Zero();  ///< m/s: of the device's burr, smoothed
+  Vec3 drag_W_ = Vec3::Zero();      ///< N, smoothed
 };
 
 }  // namespace haptics

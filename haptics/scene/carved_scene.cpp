@@ -102,8 +102,7 @@ Removed CarvedScene::advance(const Material& material, Contacts& contacts, const
   // their cell, or one that their normal is taken from, may have a corner that was lowered
   const Vec3 way = cut_.to_W - cut_.from_W;
   const double square = way.squaredNorm();
-  const double reach =
-      cut_.radius + carving_.reach() + 2.0 * scene_->volume->grid.spacing.norm();
+  const double reach = cut_.radius + carving_.reach() + 2.0 * scene_->volume->grid.spacing.norm();
   for (std::size_t n = 0; n < contacts.size();) {
     Vec3 from = tool_W + contacts[n].r_W - cut_.from_W;
     if (square > 0.0) from -= std::clamp(from.dot(way) / square, 0.0, 1.0) * way;

@@ -58,8 +58,8 @@ class CarvedScene {
   std::vector<float> raised_;           ///< of each finest block, as of MaxPyramid::raise()
   std::vector<std::uint32_t> waiting_;  ///< blocks to be made exact, a ring with room for each
   std::size_t first_ = 0, count_ = 0;
-  VoxelBox raised_box_;                 ///< blocks that all are raised by `raised_by_`, or more
-  double raised_by_ = 0.0;              ///< value a voxel
+  VoxelBox raised_box_;     ///< blocks that all are raised by `raised_by_`, or more
+  double raised_by_ = 0.0;  ///< value a voxel
 };
 
 }  // namespace haptics

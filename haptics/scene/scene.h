@@ -45,7 +45,8 @@ struct Structure {
   double build_time = 0.0;  ///< s of wall-clock time; 0 if it was taken over from an earlier scene
 };
 
-/// Volume, tool, and the structures built from them. Immutable. A new scene is built while the old
+/// Volume, tool, and the structures built from them. Immutable, but for the scene of a tool that
+/// cuts, which only its servo thread has (scene/carved_scene.h). A new scene is built while the old
 /// one is in use, and then replaces it. The isovalue is not part of the scene.
 struct Scene {
   std::uint64_t id = 0;  ///< unique in the process, from 1

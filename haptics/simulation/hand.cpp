@@ -323,14 +323,13 @@ Pose Hand::scripted(double t) const HAPTICS_RT {
       break;
     case HandMotion::Mill:
       // to and fro along a groove of 12 mm, that grows deeper by a millimetre in three strokes
-      X.translation() +=
-          (press + 0.0005 * s) * in_ + 0.006 * std::sin(kTurn * 0.75 * s) * side_;
+      X.translation() += (press + 0.0005 * s) * in_ + 0.006 * std::sin(kTurn * 0.75 * s) * side_;
       break;
     case HandMotion::Hollow: {
       // in circles of up to 5 mm that grow and shrink, deeper all the while
       const double radius = 0.005 * std::sin(kTurn * 0.11 * s), turn = kTurn * 0.8 * s;
-      X.translation() += (press + 0.0005 * s) * in_ +
-                         radius * (std::cos(turn) * side_ + std::sin(turn) * other_);
+      X.translation() +=
+          (press + 0.0005 * s) * in_ + radius * (std::cos(turn) * side_ + std::sin(turn) * other_);
       break;
     }
   }

@@ -375,8 +375,16 @@ def burr(diameter, finest):
         graded(finest, diameter, 0.06), around=6.0)
 
 
+def burr_1():
+    return burr(1.0, 0.2)
+
+
 def burr_2():
     return burr(2.0, 0.28)
+
+
+def burr_3():
+    return burr(3.0, 0.34)
 
 
 def burr_4():
@@ -524,8 +532,8 @@ def checked(name, mesh):
 
 def main():
     folder = pathlib.Path(__file__).resolve().parent
-    for draw in (sphere, probe, drill, cane, wrench, peg, burr_2, burr_4, burr_6, curved_probe, hook,
-                 elevator, needle):
+    for draw in (sphere, probe, drill, cane, wrench, peg, burr_1, burr_2, burr_3, burr_4, burr_6,
+                 curved_probe, hook, elevator, needle):
         name = draw.__name__.replace("_", "-")
         mesh = draw()
         vertices = checked(name, mesh)

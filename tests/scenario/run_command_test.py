@@ -7,6 +7,7 @@ Use: run_command_test.py PALPATE-CLI
 """
 import hashlib
 import json
+import math
 import os
 import pathlib
 import pty
@@ -135,6 +136,35 @@ with tempfile.TemporaryDirectory() as folder:
                     ("--seed", "2")):
         assert traced(*options)[0] != usual, options
     assert traced("--budget", "1")[1]["cut_ticks"] > 50
+
+    # a burr removes what its law says, the proxy stays outside what is left, twice the same to the byte
+    def cutting(*options, tool="burr-4"):
+        return run("--tool", tool, "--hand", "plunge", "--stiffness", "1000", "--seconds", "1.5", *options)
+    left = pathlib.Path(folder, "left.nrrd")
+    done, report = cutting("--cut", "--burr-energy", "5", "--trace", str(trace), "--save-volume", str(left))
+    assert done.returncode == 0, done
+    validate(report, schema)
+    cut, settings = report["cutting"], report["settings"]
+    assert (settings["burr_mm"], settings["burr_speed_rpm"], settings["burr_energy_J_mm3"]) == (4, 60000, 5), settings
+    power = settings["burr_share"] * cut["mean_force_N"] * settings["burr_speed_rpm"] / 60 * 2 * math.pi * 2e-3
+    law = power / settings["burr_energy_J_mm3"] * cut["ticks"] * 1e-3
+    assert abs(cut["removed_mm3"] / law - 1) < 0.05 and cut["removed_mm3"] > 1, (cut, law)
+    assert abs(cut["removed_J"] / 5 - cut["removed_mm3"]) < 1e-6 * cut["removed_mm3"], cut
+    assert report["max_penetration_mm"] == 0 and report["nonfinite"] == 0, report
+    path, volume = trace.read_bytes(), left.read_bytes()
+    assert cutting("--cut", "--burr-energy", "5", "--trace", str(trace), "--save-volume", str(left))[0].returncode == 0
+    assert trace.read_bytes() == path and left.read_bytes() == volume
+    whole = pathlib.Path(folder, "whole.nrrd")
+    subprocess.run([program, "convert", "--phantom", "sphere", whole], capture_output=True, check=True)
+    before, after = whole.read_bytes(), volume
+    assert len(before) == len(after) and before != after, (len(before), len(after))
+    assert "cutting" not in cutting()[1]
+    for options, tool, words in ((("--cut",), "probe", "no burr that cuts; choose one of burr-1"),
+                                 (("--save-volume", str(left)), "burr-4", "add --cut"),
+                                 (("--cut", "--record", str(folder) + "/c.palpate"), "burr-4", "does not hold cuts yet"),
+                                 (("--burr-speed", "1000"), "burr-4", "--cut")):
+        done, _ = cutting(*options, tool=tool)
+        assert done.returncode == 2 and words in done.stderr, (words, done)
 
     # a hand from a file starts with its first row, whatever its clock says, and where it ends is said
     hand = pathlib.Path(folder, "hand.csv")

@@ -307,10 +307,10 @@ TEST(ToolList, ChangesTheToolThatTouches) {
   QTest::keyClicks(lines, "burr");
   QTest::keyClick(lines, Qt::Key_Return);
   ASSERT_TRUE(waitFor([&] { return application.snapshot().scene > scene; }));
-  EXPECT_EQ(application.shown()->tool.name, "burr-2");
+  EXPECT_EQ(application.shown()->tool.name, "burr-1");
   EXPECT_EQ(application.shown()->scene->tool.mesh.vertices.size(),
-            resources::namedToolMesh("burr-2")->vertices.size());
-  EXPECT_TRUE(begins("Burr, 2 mm")) << list.accessibleDescription().toStdString();
+            resources::namedToolMesh("burr-1")->vertices.size());
+  EXPECT_TRUE(begins("Burr, 1 mm")) << list.accessibleDescription().toStdString();
 
   // one from a file stands in the list while it is in the hand, and can be chosen there again
   const QTemporaryDir folder;

@@ -67,7 +67,7 @@ TEST(CarvedScene, HasNoBoundThatIsTooSmall) {
       const haptics::Grid grid = made::oddGrid(n, {41, 38, 45}, random);
       const Volume volume = made::randomVolume(grid, type, random);
       const auto carved = carvedOf(volume, kind);
-        for (int round = 0; round < made::trials(20); ++round) {
+      for (int round = 0; round < made::trials(20); ++round) {
         BurrCut cut = anyCut(volume, 0.0, random);
         cut.from_W = grid.worldOf(Vec3(20, 19, 22) + random.box(20.0));
         cut.to_W = cut.from_W + random.box(1e-3);

@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 #include "haptics/proxy/tick.h"
+#include "haptics/proxy/touch_constants.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step.h"
+#include "haptics/simulation/closed_loop.h"
 #include "haptics/simulation/penetration.h"
 #include "tests/support/made.h"
 
@@ -92,8 +95,9 @@ Outcome press(const Press& how, const CutLaw& law) {
     // as far before the proxy as the force wants
     X_WD.translation() = proxy.X_WP.translation() - Vec3(0.0, 0.0, how.force / settings.stiffness);
     Budget budget = Budget::counted(1'000'000);
-    haptics::servoTick({X_WD, settings, StepFlags::kArmed | StepFlags::kCut, nullptr, nullptr, nullptr, &cutting},
-              cutting.scene().get(), &proxy, safety, period, budget);
+    haptics::servoTick(
+        {X_WD, settings, StepFlags::kArmed | StepFlags::kCut, nullptr, nullptr, nullptr, &cutting},
+        cutting.scene().get(), &proxy, safety, period, budget);
     outcome.given += law.share * cutting.force() * law.speed * law.burr.radius * period /
                      law.material.energyAt(s);
     outcome.deepest =
@@ -119,8 +123,6 @@ TEST(Cutting, TakesWhatTheLawSays) {
     const Outcome cut = press(how, lawOf());
     const double law = 0.3 * force * 6283.0 * kRadius / 1e9 * how.seconds;
     const double h = cut.depth, cap = M_PI * h * h * (3.0 * cut.radius - h) / 3.0;
-    std::printf("%g N: %.3f mm3, law %.3f (pushes %.3f), cap %.3f (h %.3f mm), inside %g\n", force,
-                cut.volume * 1e9, law * 1e9, cut.given * 1e9, cap * 1e9, h * 1e3, cut.deepest);
     EXPECT_NEAR(cut.volume / law, 1.0, 0.02) << force;
     EXPECT_NEAR(cap / law, 1.0, 0.02) << force;
     EXPECT_EQ(cut.deepest, 0.0);
@@ -131,13 +133,74 @@ TEST(Cutting, TakesTheSameAtEveryRateAndInEveryType) {
   const Outcome at_1000 = press({}, lawOf());
   for (const int hz : {500, 4000}) {
     const Outcome other = press({.hz = hz}, lawOf());
-    std::printf("%d Hz: %.4f, %.4f mm deep\n", hz, other.volume / at_1000.volume, (other.depth-at_1000.depth)*1e3);
     EXPECT_NEAR(other.volume / at_1000.volume, 1.0, 0.01) << hz;
   }
   for (const ScalarType type : {ScalarType::UInt8, ScalarType::Float32}) {
     const Outcome other = press({.type = type}, lawOf());
-    std::printf("%s: %.4f, %.4f mm deep\n", haptics::nameOf(type), other.volume / at_1000.volume, (other.depth-at_1000.depth)*1e3);
     EXPECT_NEAR(other.volume / at_1000.volume, 1.0, 0.02) << haptics::nameOf(type);
+  }
+}
+
+struct Felt {
+  double given = 0.0, step = 0.0;  ///< J given to the hand; N, of the force in a tick
+  double deepest = 0.0, volume = 0.0;
+  std::int64_t unsound = 0;
+};
+
+Felt feel(haptics::HandMotion motion, double stiffness, bool cut, int hz) {
+  const auto scene = haptics::makeScene(made::shared(block(ScalarType::Int16)), ballTool()).value();
+  haptics::ClosedLoop loop;
+  loop.scene = scene;
+  loop.rate = {hz};
+  loop.settings.isovalue = 88.0;
+  loop.settings.stiffness = stiffness;
+  loop.grip.gyration = std::sqrt(scene->tool.shell.inertia.trace() / 3.0);
+  if (cut) loop.cut = lawOf();
+  Pose X = Pose::Identity();
+  X.translation().z() = kSurface + 3.0 * kRadius;
+  const double reach = haptics::Hand::reachFor(0.003, stiffness, loop.grip.stiffness);
+  const auto hand = haptics::Hand::from(X, motion, *scene, 88.0, reach, 1).value();
+  Felt felt;
+  Vec3 before = Vec3::Zero(), device = hand.at(0.0).translation();
+  const auto done = loop.run(hand, 5 * hz / 2, [&](const haptics::TraceRow& row) {
+    felt.given = std::max(felt.given, row.energy);
+    // beside what the device's own motion makes of it
+    const double moved = stiffness * (row.X_WD.translation() - device).norm();
+    felt.step = std::max(felt.step, (row.sent_W.force - before).norm() - moved);
+    before = row.sent_W.force;
+    device = row.X_WD.translation();
+    felt.unsound += !row.X_WP.matrix().allFinite() || !before.allFinite();
+    const haptics::Scene& touched = row.cutting != nullptr ? *row.cutting->scene() : *scene;
+    felt.deepest = std::max(felt.deepest, haptics::penetration(touched, 88.0, row.X_WP));
+    if (row.cutting != nullptr) felt.volume = row.cutting->removed().volume;
+    return true;
+  });
+  EXPECT_TRUE(done.has_value());
+  return felt;
+}
+
+TEST(Cutting, GivesTheHandNoEnergyAndNoJerk) {
+  using haptics::HandMotion;
+  struct Case {
+    HandMotion motion;
+    double stiffness;
+    int hz;
+  };
+  for (const Case& made :
+       {Case{HandMotion::Tap, 1000.0, 1000}, Case{HandMotion::Plunge, 5000.0, 4000},
+        Case{HandMotion::Mill, 200.0, 1000}, Case{HandMotion::Mill, 1000.0, 1000},
+        Case{HandMotion::Hollow, 5000.0, 1000}}) {
+    const Felt cut = feel(made.motion, made.stiffness, true, made.hz),
+               whole = feel(made.motion, made.stiffness, false, made.hz);
+    const int where = int(made.motion);
+    EXPECT_LE(cut.given, 1e-3) << where;
+    // of the same motion without a cut, or of a tool that slips off an edge
+    const double fall = haptics::TouchConstants::kMostFall / made.hz;
+    EXPECT_LE(cut.step, 1.2 * std::max(whole.step, fall)) << where;
+    EXPECT_EQ(cut.deepest, 0.0) << where;
+    EXPECT_EQ(cut.unsound, 0) << where;
+    EXPECT_GT(cut.volume, 1e-9) << where;
+    EXPECT_EQ(whole.volume, 0.0) << where;
   }
 }
 

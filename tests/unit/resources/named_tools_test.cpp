@@ -46,7 +46,7 @@ TEST(NamedTools, AreListedByUse) {
   }
   EXPECT_EQ(uses, (std::vector<std::string>{"Drilling", "Probing", "Trial shapes"}));
   using Names = std::vector<std::string>;
-  EXPECT_EQ(listed["Drilling"], (Names{"burr-2", "burr-4", "burr-6", "drill"}));
+  EXPECT_EQ(listed["Drilling"], (Names{"burr-1", "burr-2", "burr-3", "burr-4", "burr-6", "drill"}));
   EXPECT_EQ(listed["Probing"], (Names{"probe", "curved-probe", "hook", "elevator", "needle"}));
   EXPECT_EQ(listed["Trial shapes"], (Names{"sphere", "cane", "wrench", "peg"}));
   EXPECT_EQ(toolNamed("curved-probe").title, "Curved probe");
@@ -102,8 +102,8 @@ TEST(NamedTools, AreClosedManifoldsTurnedOutwards) {
 }
 
 TEST(NamedTools, HaveVerticesThatAreEvenlySpacedOrDenseAtTheTip) {
-  const std::set<std::string> dense{"burr-2", "burr-4",   "burr-6", "curved-probe",
-                                    "hook",   "elevator", "needle"};
+  const std::set<std::string> dense{"burr-1",       "burr-2", "burr-3",   "burr-4", "burr-6",
+                                    "curved-probe", "hook",   "elevator", "needle"};
   for (const NamedTool& tool : namedTools()) {
     SCOPED_TRACE(tool.name);
     const TriangleMesh mesh = meshOf(tool.name);
@@ -186,8 +186,8 @@ std::vector<Vec3> lowest(const TriangleMesh& mesh, double height) {
 
 TEST(NamedTools, HaveTipsOfTheStatedDiameter) {
   // a ball at the end along -z: the nearest vertices lie on it, all around
-  for (const char* name :
-       {"burr-2", "burr-4", "burr-6", "drill", "probe", "curved-probe", "needle", "sphere"}) {
+  for (const char* name : {"burr-1", "burr-2", "burr-3", "burr-4", "burr-6", "drill", "probe",
+                           "curved-probe", "needle", "sphere"}) {
     SCOPED_TRACE(name);
     const double tip = toolNamed(name).tip;
     const TriangleMesh mesh = meshOf(name);
@@ -198,7 +198,7 @@ TEST(NamedTools, HaveTipsOfTheStatedDiameter) {
     for (const Vec3& v : end) EXPECT_NEAR((v - ball.head<3>()).norm(), ball[3], 2e-6);
   }
   // its extent, as one would measure it with a gauge
-  for (const char* name : {"burr-2", "burr-4", "burr-6"}) {
+  for (const char* name : {"burr-1", "burr-2", "burr-3", "burr-4", "burr-6"}) {
     SCOPED_TRACE(name);
     const double tip = toolNamed(name).tip;
     const Vec3 extent = boxOf({.vertices = lowest(meshOf(name), tip), .triangles = {}}).extent();
