@@ -9,6 +9,7 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
+#include "app/recording/cut_words.h"
 #include "app/recording/facts.h"
 #include "app/recording/felt_words.h"
 #ifdef PALPATE_READERS
@@ -60,6 +61,7 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   (*recorder)->describe(loop.scene, std::move(tool));
   if (const auto hash = hashHere(*loop.scene->volume)) (*recorder)->identify(id, *hash);
   if (loop.watch && loop.watch->isFelt()) (*recorder)->note(kFeltEvent, wordsOf(*loop.watch), 1.0);
+  if (loop.cut) (*recorder)->note(kCutLawEvent, wordsOf(*loop.cut), 1.0);
   loop.on_start = [&ring = (*recorder)->ring(), id, limits = loop.limits,
                    rate = loop.rate](const haptics::Pose& X) {
     ring.start({.scene = id, .X_WP = X, .limits = limits, .safety = {}, .rate = rate});
@@ -84,12 +86,19 @@ void RecordedRun::write(const haptics::TraceRow& row) {
   step.cpu_ns = row.cpu_ns;
   step.force_state = row.force_state;
   step.flags = haptics::StepFlags::kArmed;
+  if (row.cutting != nullptr) {
+    step.flags |= haptics::StepFlags::kCut;
+    step.cut = row.cutting->begun();
+    carved_ = row.cutting->scene();
+  }
   step.contacts = row.bearing;
   step.near = row.near;
   ring.push(step);
 }
 
 Expected<nlohmann::ordered_json> RecordedRun::finish() {
+  if (carved_)
+    recorder_->note(kCarvedEvent, wordOf(digestOfCuts(*loop_.scene->volume, *carved_->volume)));
   const auto finished = recorder_->finish();
   if (!finished) return tl::unexpected(finished.error());
   const RecorderStatus status = recorder_->status();

@@ -8,6 +8,7 @@
 #include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
 #include "app/export/facts.h"
+#include "app/recording/cut_words.h"
 #include "app/recording/facts.h"
 #include "app/recording/replay.h"
 #ifdef PALPATE_READERS
@@ -101,6 +102,15 @@ Outcome replay(const ReplayOptions& options) {
     outcome.json["distances"] = difference->distances;
     outcome.json["differing_distances"] = difference->differing_distances;
   }
+  const bool carved_same = !difference->carved || !difference->carved_then ||
+                           app::wordOf(*difference->carved) == *difference->carved_then;
+  if (difference->carved) {
+    outcome.json["cuts"] = difference->cuts;
+    outcome.json["differing_cuts"] = difference->differing_cuts;
+    outcome.json["carved"] = app::wordOf(*difference->carved);
+    outcome.json["carved_as_recorded"] =
+        difference->carved_then ? nlohmann::ordered_json(carved_same) : nlohmann::ordered_json();
+  }
   outcome.json["volume"] = !same ? "another" : known ? "same" : "unknown";
   outcome.json["recorded_by"] = recording->version();
   outcome.json["same_build"] = isOfThisBuild(*recording);
@@ -115,7 +125,8 @@ Outcome replay(const ReplayOptions& options) {
         (difference->differing > 0 ? "The replay differs from the recording."
                                    : "No step that was recorded came across them.");
     outcome.json["reasons"] = {"another-volume"};
-  } else if (difference->differing > 0 || difference->differing_distances > 0) {
+  } else if (difference->differing > 0 || difference->differing_distances > 0 ||
+             difference->differing_cuts > 0 || !carved_same) {
     outcome.code = Exit::Failed;
     outcome.error = "The replay differs from the recording.";
   }

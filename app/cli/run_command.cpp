@@ -363,8 +363,6 @@ Outcome run(const RunOptions& options) {
   if (const auto wrong = contradictionIn(options.tool)) return usage(*wrong);
   if (!options.cut && !options.save_volume.empty())
     return usage("--save-volume writes what a run left of the volume; add --cut.");
-  if (options.cut && !options.record.empty())
-    return usage("A recording does not hold cuts yet; leave out --record or --cut.");
   std::vector<Target> targets;
   if (!options.trace.empty()) targets.push_back({"--trace", options.trace});
   if (!options.record.empty()) targets.push_back({"--record", options.record});

@@ -195,6 +195,68 @@ bool readNearness(std::span<const std::uint8_t> bytes, Layout layout,
   return bytes.empty();
 }
 
+// Of a cut, after the number of its step within the block. Exact: they are what a replay and every
+// other view of the volume carry out.
+struct CutColumn {
+  const char* name;
+  const char* unit;
+};
+constexpr CutColumn kCutColumns[] = {{"from_x", "m"}, {"from_y", "m"}, {"from_z", "m"},
+                                     {"to_x", "m"},   {"to_y", "m"},   {"to_z", "m"},
+                                     {"radius", "m"}, {"isovalue", ""}};
+double& numberOf(haptics::BurrCut& cut, std::size_t k) {
+  const auto axis = static_cast<Eigen::Index>(k % 3);
+  return k < 3 ? cut.from_W[axis] : k < 6 ? cut.to_W[axis] : k == 6 ? cut.radius : cut.isovalue;
+}
+constexpr std::size_t kStepOfCut = sizeof(std::uint16_t);
+
+/// Each cut must be finite and of a ball that there can be.
+bool readCuts(std::span<const std::uint8_t> bytes, Layout layout, std::size_t count,
+              std::vector<PartlyRead>& steps) {
+  constexpr double kFarthest = 100.0, kLargest = 0.02;  // m
+  std::vector<std::uint64_t> values(count);
+  std::vector<haptics::BurrCut*> cuts;
+  if (count > 0 && !take(bytes, kStepOfCut, layout, values)) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (values[i] >= steps.size() || (i > 0 && values[i] <= values[i - 1])) return false;
+    cuts.push_back(nullptr);
+    steps[values[i]].row.step.cut.emplace();
+    cuts.back() = &*steps[values[i]].row.step.cut;
+  }
+  for (std::size_t k = 0; k < std::size(kCutColumns) && count > 0; ++k) {
+    if (!take(bytes, sizeof(double), layout, values)) return false;
+    for (std::size_t i = 0; i < count; ++i)
+      numberOf(*cuts[i], k) = std::bit_cast<double>(values[i]);
+  }
+  return bytes.empty() && std::ranges::all_of(cuts, [&](const haptics::BurrCut* cut) {
+           return cut->from_W.norm() < kFarthest && cut->to_W.norm() < kFarthest &&
+                  (cut->to_W - cut->from_W).norm() < kLargest && cut->radius > 0.0 &&
+                  cut->radius < kLargest && std::isfinite(cut->isovalue);
+         });
+}
+
+std::vector<std::uint8_t> writtenCuts(std::vector<RecordedStep>& rows, Layout layout,
+                                      std::int64_t& count) {
+  std::vector<std::uint64_t> values;
+  std::vector<haptics::BurrCut*> cuts;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].step.cut) {
+      values.push_back(i);
+      cuts.push_back(&*rows[i].step.cut);
+    }
+  count = static_cast<std::int64_t>(cuts.size());
+  std::vector<std::uint8_t> bytes;
+  if (cuts.empty()) return bytes;
+  put(values, kStepOfCut, layout, bytes);
+  for (std::size_t k = 0; k < std::size(kCutColumns); ++k) {
+    std::ranges::transform(cuts, values.begin(), [k](haptics::BurrCut* cut) {
+      return std::bit_cast<std::uint64_t>(numberOf(*cut, k));
+    });
+    put(values, sizeof(double), layout, bytes);
+  }
+  return compressed(bytes);
+}
+
 }  // namespace
 
 bool isNext(const haptics::Step& step, const haptics::Step& next) {
@@ -260,6 +322,7 @@ Block encoded(std::span<const haptics::Step> steps, Layout layout) {
     }
   }
   block.nearness = compressed(bytes);
+  block.cuts = writtenCuts(rows, layout, block.cut_count);
   return block;
 }
 
@@ -288,6 +351,11 @@ haptics::Expected<std::vector<RecordedStep>> decoded(const Block& block, Layout 
   bytes.resize(2 * block.structures.size() * mostColumnBytes(count));
   if (!unpack(block.nearness, bytes) || !readNearness(bytes, layout, block.structures, read))
     return damagedBlock();
+  if (block.cut_count < 0 || block.cut_count > block.count) return damagedBlock();
+  const auto cut_count = static_cast<std::size_t>(block.cut_count);
+  bytes.resize(cut_count == 0 ? 0 : (std::size(kCutColumns) + 1) * mostColumnBytes(cut_count));
+  if (!unpack(block.cuts, bytes) || !readCuts(bytes, layout, cut_count, read))
+    return damagedBlock();
   std::vector<RecordedStep> steps;
   for (const PartlyRead& one : read) steps.push_back(one.row);
   return steps;
@@ -309,6 +377,14 @@ std::string contactLayout(Layout layout) {
     columns.push_back({column.name, "float32", column.unit});
     if (layout == Layout::Rounded) columns.back().push_back(column.per_unit);
   }
+  return columns.dump();
+}
+
+std::string cutLayout() {
+  nlohmann::json columns = nlohmann::json::array();
+  columns.push_back({"step", nameOf(ColumnType::Uint16), ""});
+  for (const CutColumn& column : kCutColumns)
+    columns.push_back({column.name, nameOf(ColumnType::Float64), column.unit});
   return columns.dump();
 }
 

@@ -29,6 +29,8 @@ struct Block {
   std::vector<std::uint8_t> contacts = {};
   std::vector<std::uint8_t> structures = {};  ///< that all of its steps watch, from 0
   std::vector<std::uint8_t> nearness = {};    ///< of each of them tip, then nearest
+  std::int64_t cut_count = 0;                 ///< steps in which a cut began
+  std::vector<std::uint8_t> cuts = {};        ///< which of the block's steps, and their numbers
 };
 
 inline constexpr std::int64_t kMostStepsInBlock = 1024;
@@ -47,5 +49,7 @@ haptics::Expected<std::vector<RecordedStep>> decoded(const Block& block, Layout 
 /// without Palpate.
 std::string stepLayout(Layout layout);
 std::string contactLayout(Layout layout);
+/// Of cuts: [name, type, unit]. They are exact in either layout.
+std::string cutLayout();
 
 }  // namespace app

@@ -195,7 +195,7 @@ const StepColumn kColumns[] = {
         "more, 64 device not homed, 128 clutch held, 256 hold-to-run key released, 512 no tick for "
         "5 ms before this one, 1024 device too fast for force, 2048 device faster than a hand, "
         "4096 third gap in ten seconds, 8192 stiffness changed, 16384 other structures "
-        "felt",
+        "felt, 32768 the burr's key held",
         [](auto& row) -> auto& { return row.step.flags; }),
     {"contacts", ColumnType::Uint8, "", "tick/contacts", kChanging,
      "contacts that bear on the tool",

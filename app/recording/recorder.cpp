@@ -190,7 +190,9 @@ class Recorder::Writer {
   void discard();
   bool commit();
   bool writeSteps();
+  bool addTables(bool cuts);
   bool writeNearness(const Block& block);
+  bool writeCuts(const Block& block);
   bool writeScenes(const std::vector<Described>& scenes);
   void takeStarts();
   bool writeEvent(Statement& insert, const Event& event);
@@ -225,6 +227,7 @@ class Recorder::Writer {
   std::int64_t written_ = 0, lost_ = 0;
   std::uint64_t late_ = 0, missed_ = 0;  ///< since the last commit
   bool watches_ = false;                 ///< the file has the table of distances
+  bool cuts_ = false;                    ///< and that of cuts
   std::thread thread_;
 };
 
@@ -403,6 +406,7 @@ bool Recorder::Writer::writeSteps() {
                                         .run())
       return false;
     if (!block.structures.empty() && !writeNearness(block)) return false;
+    if (block.cut_count > 0 && !writeCuts(block)) return false;
     begin = end;
   }
   // an event for each would be most of the file on a busy machine: the steps have them
@@ -419,15 +423,36 @@ bool Recorder::Writer::writeSteps() {
   return true;
 }
 
-bool Recorder::Writer::writeNearness(const Block& block) {
-  if (!watches_) {
-    // who knows no such table would not take the file for a recording
-    const int format = layout_ == Layout::Exact ? kFormatOfStructures : kFormatOfRoundedStructures;
-    if (!database_->run(kNearnessTable) ||
-        !database_->run(("PRAGMA user_version = " + std::to_string(format)).c_str()))
+/// Gives the file the tables of distances, and those of cuts if `cuts`. Who knows no such table
+/// would not take the file for a recording, so it says so by its format.
+bool Recorder::Writer::addTables(bool cuts) {
+  if (!watches_ && !database_->run(kNearnessTable)) return false;
+  if (cuts && !cuts_ && !database_->run(kCutTable)) return false;
+  watches_ = true;
+  cuts_ = cuts_ || cuts;
+  const bool exact = layout_ == Layout::Exact;
+  const int format = cuts_ ? (exact ? kFormatOfCuts : kFormatOfRoundedCuts)
+                           : (exact ? kFormatOfStructures : kFormatOfRoundedStructures);
+  return database_->run(("PRAGMA user_version = " + std::to_string(format)).c_str());
+}
+
+bool Recorder::Writer::writeCuts(const Block& block) {
+  if (!cuts_) {
+    if (!addTables(true) || !database_->prepare("INSERT INTO meta (key, value) VALUES (?, ?)")
+                                 .bind(1, std::string_view{"cut_layout"})
+                                 .bind(2, cutLayout())
+                                 .run())
       return false;
-    watches_ = true;
   }
+  return database_->prepare("INSERT INTO cut (first, count, data) VALUES (?, ?, ?)")
+      .bind(1, static_cast<std::int64_t>(block.first))
+      .bind(2, block.cut_count)
+      .bind(3, std::span{block.cuts})
+      .run();
+}
+
+bool Recorder::Writer::writeNearness(const Block& block) {
+  if (!watches_ && !addTables(false)) return false;
   std::string structures;
   for (const std::uint8_t structure : block.structures)
     structures += (structures.empty() ? "[" : ",") + std::to_string(structure + 1);

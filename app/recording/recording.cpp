@@ -116,6 +116,7 @@ haptics::Expected<void> Recording::read() {
   const std::int64_t format = database_.integer("PRAGMA user_version");
   if (isRounded(format)) layout_ = Layout::Rounded;
   has_structures_ = hasStructures(format);
+  has_cuts_ = hasCuts(format);
   Statement meta = database_.prepare("SELECT key, value FROM meta LIMIT 100");
   Statement::Step at;
   for (at = meta.step(); at == Statement::Step::Row; at = meta.step()) {
@@ -280,6 +281,15 @@ haptics::Expected<std::vector<RecordedStep>> Recording::block(std::size_t index)
       if (!structures) return damagedRecording();
       block.structures = *structures;
       block.nearness = nearness.blob(1);
+    }
+  }
+  if (has_cuts_) {
+    Statement cuts = database_.prepare("SELECT count, data FROM cut WHERE first = ?");
+    const Statement::Step cut = cuts.bind(1, entry.first).step();
+    if (cut == Statement::Step::Failed) return damagedRecording();
+    if (cut == Statement::Step::Row) {
+      block.cut_count = cuts.integer(0);
+      block.cuts = cuts.blob(1);
     }
   }
   return decoded(block, layout_);

@@ -86,7 +86,7 @@ class Recording {
   Database database_;
   std::int64_t bytes_;  ///< of the file
   Layout layout_ = Layout::Exact;
-  bool has_structures_ = false;
+  bool has_structures_ = false, has_cuts_ = false;
   std::vector<std::uint8_t> structures_;
   std::string version_, build_, machine_, vectors_, about_;
   std::int64_t step_count_ = 0, lost_ = 0;

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "app/recording/cut_words.h"
 #include "app/recording/felt_words.h"
 #include "datasets/edits/edited.h"
 #include "datasets/edits/walls.h"
@@ -59,6 +60,50 @@ void compareDistances(const RecordedStep& recorded, const haptics::Watch& watch,
                                         std::abs(same->nearest - then.nearest) <= rounding);
   }
 }
+
+/// The cuts of a recording, carried out once more as they were recorded.
+class CutsThen {
+ public:
+  static haptics::Expected<CutsThen> of(const Recording& recording) {
+    CutsThen cuts;
+    for (const RecordedEvent& event : recording.events()) {
+      if (event.kind == kCarvedEvent) cuts.said_ = event.text;
+      if (event.kind != kCutLawEvent) continue;
+      auto law = lawFrom(event.text);
+      if (!law) return tl::unexpected(law.error());
+      cuts.law_ = *law;
+    }
+    return cuts;
+  }
+  /// What is touched in a scene: by a tool that cuts, with all cuts until now.
+  haptics::Expected<std::unique_ptr<haptics::Engagement>> engaged(
+      const std::shared_ptr<const haptics::Scene>& scene, const haptics::Pose& X_WP) const {
+    if (!law_) return std::make_unique<haptics::Engagement>(scene, X_WP);
+    auto carved = haptics::CarvedScene::of(*scene);
+    if (!carved) return tl::unexpected(carved.error());
+    auto cutting = std::make_unique<haptics::Cutting>(std::move(*carved), *law_);
+    for (const haptics::BurrCut& cut : made_) cutting->make(cut);
+    return std::make_unique<haptics::Engagement>(std::move(cutting), X_WP);
+  }
+  void add(const haptics::BurrCut& cut) { made_.push_back(cut); }
+  /// Carries them out in a view of its own.
+  haptics::Expected<void> tell(const haptics::Scene* scene, ReplayDifference& difference) const {
+    difference.cuts = static_cast<std::int64_t>(made_.size());
+    difference.carved_then = said_;
+    if (!law_ || scene == nullptr) return {};
+    auto carved = haptics::CarvedScene::of(*scene);
+    if (!carved) return tl::unexpected(carved.error());
+    haptics::Cutting cutting{std::move(*carved), *law_};
+    for (const haptics::BurrCut& cut : made_) cutting.make(cut);
+    difference.carved = digestOfCuts(*scene->volume, *cutting.scene()->volume);
+    return {};
+  }
+
+ private:
+  std::optional<haptics::CutLaw> law_;
+  std::optional<std::string> said_;
+  std::vector<haptics::BurrCut> made_;
+};
 
 /// How structures were felt, from event to event.
 class FeltThen {
@@ -139,6 +184,8 @@ haptics::Expected<ReplayDifference> replay(
   std::int64_t until_told = 0;
   std::uint64_t expected = 0;
   FeltThen felt{recording, watch};
+  auto cuts = CutsThen::of(recording);
+  if (!cuts) return tl::unexpected(cuts.error());
   std::optional<haptics::Error> failed;
   const auto each = [&](const RecordedStep& recorded) {
     const haptics::Step& step = recorded.step;
@@ -162,7 +209,12 @@ haptics::Expected<ReplayDifference> replay(
         if (!scenes.contains(start->scene))
           scenes[start->scene] = start->scene == 0 ? nullptr : scene(start->scene);
         if (const auto& found = scenes[start->scene]) {
-          touched = std::make_unique<haptics::Engagement>(found, start->X_WP);
+          auto engaged = cuts->engaged(found, start->X_WP);
+          if (!engaged) {
+            failed = engaged.error();
+            return false;
+          }
+          touched = std::move(*engaged);
           touched->proxy.turn = start->turn;
           scene_touched = start->scene;
         }
@@ -173,6 +225,7 @@ haptics::Expected<ReplayDifference> replay(
     if (!safety || !at_hand) {
       // what the gate let through depends on what was not computed
       if (!at_hand) safety.reset();
+      if (step.cut) cuts->add(*step.cut);
       ++difference.skipped;
       return true;
     }
@@ -190,10 +243,14 @@ haptics::Expected<ReplayDifference> replay(
                             .settings = step.settings,
                             .flags = step.flags,
                             .watch = felt.watch(),
-                            .felt = engaged ? &engaged->felt : nullptr},
+                            .felt = engaged ? &engaged->felt : nullptr,
+                            .cutting = engaged ? engaged->cutting.get() : nullptr},
                            engaged ? engaged->scene.get() : nullptr,
                            engaged ? &engaged->proxy : nullptr, *safety, rate.period(), budget);
     compare(recorded, engaged ? engaged->proxy.X_WP : step.X_WD, result.sent_W, difference);
+    if (step.cut) cuts->add(*step.cut);
+    if (engaged != nullptr && engaged->cutting)
+      difference.differing_cuts += engaged->cutting->begun() != step.cut;
     if (watch != nullptr && engaged != nullptr)
       compareDistances(recorded, *watch, *engaged->scene, engaged->proxy.X_WP, difference);
     return true;
@@ -205,6 +262,8 @@ haptics::Expected<ReplayDifference> replay(
   if (cancelled)
     return tl::unexpected(
         haptics::Error{haptics::Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
+  const auto& uncut = scenes[scene_touched];
+  if (auto told = cuts->tell(uncut.get(), difference); !told) return tl::unexpected(told.error());
   return difference;
 }
 

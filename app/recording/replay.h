@@ -30,6 +30,14 @@ struct ReplayDifference {
   // Of the distances to structures, if there is a watch.
   std::int64_t distances = 0;            ///< compared
   std::int64_t differing_distances = 0;  ///< by more than their rounding
+  // Of a recording in which a burr cuts.
+  std::int64_t cuts = 0;            ///< that were recorded
+  std::int64_t differing_cuts = 0;  ///< that began otherwise, or not
+  /// The digest of what the recorded cuts leave of the volume (cut_words.h), whatever the replay
+  /// came to; none if there are none.
+  std::optional<std::uint64_t> carved = {};
+  /// What the recording says of it at its end, if it does.
+  std::optional<std::string> carved_then = {};
 };
 
 /// The volume that was on view in a recorded scene: the scan after the scene's edits. Refuses edits

@@ -10,7 +10,7 @@ import sqlite3
 import zlib
 
 TYPES = {"int64": "q", "uint64": "Q", "float64": "d", "uint32": "I", "float32": "f", "uint16": "H", "uint8": "B"}
-ROUNDED = (4, 6)  # the user_version of files with differences and rounded columns
+ROUNDED = (4, 6, 8)  # the user_version of files with differences and rounded columns
 
 
 def _opened(path):

@@ -14,13 +14,19 @@ inline constexpr int kFormatOfRounding = 4;  ///< Layout::Rounded; volumes edite
 // The same two layouts, from the first step on in which structures were watched.
 inline constexpr int kFormatOfStructures = 5;
 inline constexpr int kFormatOfRoundedStructures = 6;
-inline constexpr int kHighestFormat = kFormatOfRoundedStructures;
+// The same two, from the first step on in which a burr cuts.
+inline constexpr int kFormatOfCuts = 7;
+inline constexpr int kFormatOfRoundedCuts = 8;
+inline constexpr int kHighestFormat = kFormatOfRoundedCuts;
 
 /// Whether a recording of this format has kNearnessTable.
 constexpr bool hasStructures(std::int64_t format) { return format >= kFormatOfStructures; }
+/// Whether it has kCutTable, too.
+constexpr bool hasCuts(std::int64_t format) { return format >= kFormatOfCuts; }
 /// Whether its numbers are stored as Layout::Rounded.
 constexpr bool isRounded(std::int64_t format) {
-  return format == kFormatOfRounding || format == kFormatOfRoundedStructures;
+  return format == kFormatOfRounding || format == kFormatOfRoundedStructures ||
+         format == kFormatOfRoundedCuts;
 }
 
 /// The tables of a recording; README.md of this folder documents them.
@@ -41,9 +47,16 @@ inline constexpr const char* kNearnessTable = R"(
 CREATE TABLE nearness (first INTEGER PRIMARY KEY, structures TEXT NOT NULL, data BLOB NOT NULL)
   STRICT;
 )";
+/// The cuts that began in the steps of a block.
+inline constexpr const char* kCutTable = R"(
+CREATE TABLE cut (first INTEGER PRIMARY KEY, count INTEGER NOT NULL, data BLOB NOT NULL) STRICT;
+)";
 /// The tables of a recording of this format.
 inline std::string tablesOf(std::int64_t format) {
-  return hasStructures(format) ? std::string{kSchema} + kNearnessTable : kSchema;
+  std::string tables = kSchema;
+  if (hasStructures(format)) tables += kNearnessTable;
+  if (hasCuts(format)) tables += kCutTable;
+  return tables;
 }
 
 }  // namespace app

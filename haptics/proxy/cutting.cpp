@@ -22,6 +22,15 @@ constexpr double kFullDrag = 0.1;     // m/s along the surface from which the dr
 
 }  // namespace
 
+void Cutting::make(const BurrCut& cut) {
+  Contacts none;
+  carved_->begin(cut);
+  while (!carved_->isDone()) {
+    Budget budget = Budget::counted(1'000'000);
+    carved_->advance(law_.material, none, Vec3::Zero(), 1'000'000, budget);
+  }
+}
+
 Vec3 Cutting::pressOn(const Proxy& proxy) const HAPTICS_RT {
   const Vec3 c_W = proxy.X_WP.linear() * law_.burr.centre_P;
   const double reach = law_.burr.radius + kOnBurr;

@@ -55,6 +55,9 @@ class Cutting {
   Wrench go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
             Budget& budget) HAPTICS_RT;
 
+  /// Carries out a cut that was made before, whole. Before the first tick; not for the servo
+  /// thread.
+  void make(const BurrCut& cut);
   /// The cut that the last call began, if it did.
   const std::optional<BurrCut>& begun() const HAPTICS_RT { return begun_; }
   /// Since it was made.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "haptics/core/realtime.h"
+#include "haptics/proxy/cutting.h"
 #include "haptics/proxy/felt.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/scene/scene.h"
@@ -18,6 +19,10 @@ namespace haptics {
 struct Engagement {
   Engagement(std::shared_ptr<const Scene> adopted, const Pose& X_start)
       : scene{std::move(adopted)}, proxy{*scene, X_start} {}
+  /// Of a tool that cuts.
+  Engagement(std::unique_ptr<Cutting> cuts, const Pose& X_start)
+      : cutting{std::move(cuts)}, scene{cutting->scene()}, proxy{*scene, X_start} {}
+  std::unique_ptr<Cutting> cutting = {};  ///< null: it cuts nothing
   std::shared_ptr<const Scene> scene;
   Proxy proxy;
   Felt felt;  ///< what structures make of its wrench

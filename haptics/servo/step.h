@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "haptics/carving/burr.h"
 #include "haptics/core/fixed_vector.h"
 #include "haptics/core/geometry.h"
 #include "haptics/coupling/safety.h"
@@ -51,6 +53,7 @@ struct Step {
   ForceState force_state = ForceState::Off;
   std::uint16_t flags = 0;
   Bearing contacts;
+  std::optional<BurrCut> cut;  ///< that began after the tick
   Nearnesses near;  ///< of the proxy to the watched structures
 };
 

@@ -139,7 +139,8 @@ with tempfile.TemporaryDirectory() as folder:
 
     # a burr removes what its law says, the proxy stays outside what is left, twice the same to the byte
     def cutting(*options, tool="burr-4"):
-        return run("--tool", tool, "--hand", "plunge", "--stiffness", "1000", "--seconds", "1.5", *options)
+        options = options if "--seconds" in options else (*options, "--seconds", "1.5")
+        return run("--tool", tool, "--hand", "plunge", "--stiffness", "1000", *options)
     left = pathlib.Path(folder, "left.nrrd")
     done, report = cutting("--cut", "--burr-energy", "5", "--trace", str(trace), "--save-volume", str(left))
     assert done.returncode == 0, done
@@ -159,9 +160,46 @@ with tempfile.TemporaryDirectory() as folder:
     before, after = whole.read_bytes(), volume
     assert len(before) == len(after) and before != after, (len(before), len(after))
     assert "cutting" not in cutting()[1]
+
+    # its recording holds every cut: a replay makes the same ones and comes to the same voxels, and so does what
+    # is recovered after a kill, up to the last step that was committed
+    def replayed(recording):
+        done = subprocess.run([program, "replay", recording, "--phantom", "sphere", "--json"], capture_output=True,
+                              text=True, timeout=900)
+        return done, json.loads(done.stdout)
+
+    def recorded(seconds, rate):
+        recording = pathlib.Path(folder, f"cut-{rate}.palpate")
+        recording.unlink(missing_ok=True)
+        done, report = cutting("--cut", "--seconds", str(seconds), "--rate", str(rate), "--record", str(recording))
+        assert done.returncode == 0, done
+        return recording, report
+    for rate in (1000, 4000):
+        recording, report = recorded(1.2, rate)
+        done, again = replayed(recording)
+        assert done.returncode == 0 and again["differing"] == again["differing_cuts"] == again["skipped"] == 0, again
+        assert again["cuts"] > 300 and again["carved_as_recorded"] is True, again
+    part = pathlib.Path(folder, "killed.palpate.part")
+    for wait in (0.9, 1.4):
+        killed = subprocess.Popen([program, "run", "--phantom", "sphere", "--isovalue", "300", "--tool", "burr-4", "--hand",
+                                   "plunge", "--stiffness", "1000", "--cut", "--seconds", "60", "--record",
+                                   part.with_suffix("")], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        until = time_module.monotonic() + 60
+        wal = pathlib.Path(f"{part}-wal")
+        while time_module.monotonic() < until and not (wal.exists() and wal.stat().st_size > 200_000):
+            time_module.sleep(0.02)
+        time_module.sleep(wait)
+        killed.kill()
+        killed.wait()
+        done = subprocess.run([program, "recover", part, "--json"], capture_output=True, text=True, timeout=60)
+        steps = json.loads(done.stdout)["steps"]
+        assert done.returncode == 0 and steps > 500, done
+        done, found = replayed(part.with_suffix(""))
+        assert done.returncode == 0 and found["differing_cuts"] == 0 and found["carved_as_recorded"] is None, found
+        part.with_suffix("").unlink()
+        assert found["carved"] == replayed(recorded(steps * 1e-3, 1000)[0])[1]["carved"], (steps, found)
     for options, tool, words in ((("--cut",), "probe", "no burr that cuts; choose one of burr-1"),
                                  (("--save-volume", str(left)), "burr-4", "add --cut"),
-                                 (("--cut", "--record", str(folder) + "/c.palpate"), "burr-4", "does not hold cuts yet"),
                                  (("--burr-speed", "1000"), "burr-4", "--cut")):
         done, _ = cutting(*options, tool=tool)
         assert done.returncode == 2 and words in done.stderr, (words, done)

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstring>
 #include <ctime>
+#include <tuple>
 
 #include "datasets/phantoms/noise.h"
 #include "datasets/phantoms/phantoms.h"
@@ -66,6 +67,14 @@ TEST(Phantoms, EveryOneIsMadeTheSameTwiceAndIsFitToTouch) {
       EXPECT_EQ(std::memcmp(volume.voxels.get(), second->volume.voxels.get(), bytes), 0);
     }
     EXPECT_FALSE(first->tool.empty());
+    // the paper's scenes have its isovalues and its tools
+    for (const auto& [scene, isovalue, tool] : {std::tuple{"bunny", 1500.0, "cane"},
+                                                {"engine", 90.0, "wrench"},
+                                                {"bone", 1400.0, "drill"}})
+      if (name == scene) {
+        EXPECT_EQ(first->isovalue, isovalue);
+        EXPECT_EQ(first->tool, tool);
+      }
     EXPECT_LT(volume.least, first->isovalue);
     EXPECT_GT(volume.greatest, first->isovalue);
     EXPECT_TRUE(volume.orientation_known);
