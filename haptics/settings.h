@@ -43,6 +43,7 @@ struct Handling {
   /// the user.
   Mat3 R_WB = Mat3::Identity();
   int clutch_button = -1;    ///< while it is down the tool stays and the hand moves; -1: none
+  int cut_button = -1;       ///< while it is down the burr turns; -1: none
   int hold_button = -1;      ///< button of hold-to-run; -1: none
   bool hold_to_run = false;  ///< no force unless the button or the key is held
   bool clutch = false;       ///< the clutch's key is down

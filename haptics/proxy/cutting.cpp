@@ -22,6 +22,12 @@ constexpr double kFullDrag = 0.1;     // m/s along the surface from which the dr
 
 }  // namespace
 
+void Cutting::lookAhead() {
+  constexpr double kVoxels = 6.0;  // the wall's reach, and more
+  const double reach = law_.burr.radius + kVoxels * scene()->volume->grid.spacing.maxCoeff();
+  ahead_ = std::make_unique<PagesAhead>(scene()->volume, reach);
+}
+
 void Cutting::make(const BurrCut& cut) {
   Contacts none;
   carved_->begin(cut);
@@ -88,6 +94,7 @@ Vec3 Cutting::dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPT
 Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
                    Budget& budget) HAPTICS_RT {
   begun_.reset();
+  if (ahead_) ahead_->at(proxy.X_WP * law_.burr.centre_P);
   const Vec3 press = held && !proxy.recovery.active ? pressOn(proxy) : Vec3::Zero();
   force_ = press.norm();
   const Vec3 drag = dragFor(press, X_WD, period);

@@ -11,6 +11,7 @@
 #include "haptics/core/realtime.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/scene/carved_scene.h"
+#include "haptics/scene/pages_ahead.h"
 
 namespace haptics {
 
@@ -44,6 +45,8 @@ class Cutting {
   Cutting(std::unique_ptr<CarvedScene> carved, const CutLaw& law)
       : carved_{std::move(carved)}, law_{law} {}
 
+  /// Has pages copied before cuts write there, by a thread of its own, from now on.
+  void lookAhead();
   /// The scene to touch. It changes with each cut.
   const std::shared_ptr<const Scene>& scene() const HAPTICS_RT { return carved_->scene(); }
   const CutLaw& law() const HAPTICS_RT { return law_; }
@@ -73,6 +76,7 @@ class Cutting {
   Vec3 dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPTICS_RT;
 
   std::unique_ptr<CarvedScene> carved_;
+  std::unique_ptr<PagesAhead> ahead_;  ///< null: pages are copied when they are written
   CutLaw law_;
   Removed removed_;
   /// J that the law has given and cuts have not taken yet; below 0 they took more.

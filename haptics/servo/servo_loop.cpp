@@ -137,10 +137,26 @@ void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
   X_WD_ = guard_->mapping.toWorld(guard_->lead.ahead(reading_.X_BD, measured));
 }
 
+void ServoLoop::judgeCut(Period& period, std::int64_t now) HAPTICS_RT {
+  const int button = guard_ ? guard_->handling.cut_button : -1;
+  const bool down = now < cut_until.load(std::memory_order_relaxed) ||
+                    (button >= 0 && button < 32 && ((reading_.buttons >> button) & 1U) != 0);
+  constexpr auto kUnsure = static_cast<std::uint16_t>(
+      StepFlags::kAdopted | StepFlags::kLost | StepFlags::kSilent | StepFlags::kNotReady |
+      StepFlags::kGap | StepFlags::kTooFast | StepFlags::kJumped | StepFlags::kStalled);
+  if (period.has(kUnsure) || safety_.state() == ForceState::Fault)
+    may_cut_ = false;
+  else if (!down)
+    may_cut_ = true;
+  const bool able = period.engaged != nullptr && period.engaged->cutting != nullptr;
+  period.raise(StepFlags::kCut, down && may_cut_ && able);
+}
+
 void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {
   const std::int64_t begun = Budget::threadTime();
   Period period = takeWishes(now);
   readDevice(period, now);
+  judgeCut(period, now);
   period.read_at = period.ring != nullptr ? monotonicNs() : 0;
   Budget budget = Budget::timed(rate_.budget_ns());
   const ServoResult result = feel(period, budget);
@@ -193,7 +209,8 @@ ServoResult ServoLoop::feel(Period& period, Budget& budget) HAPTICS_RT {
                     .settings = in_force_,
                     .flags = period.flags,
                     .watch = period.watch,
-                    .felt = engaged != nullptr ? &engaged->felt : nullptr},
+                    .felt = engaged != nullptr ? &engaged->felt : nullptr,
+                    .cutting = engaged != nullptr ? engaged->cutting.get() : nullptr},
                    engaged != nullptr ? engaged->scene.get() : nullptr,
                    engaged != nullptr ? &engaged->proxy : nullptr, safety_, rate_.period(), budget);
 }
@@ -293,6 +310,9 @@ void ServoLoop::record(const Period& period, const Budget& budget) HAPTICS_RT {
   step_.contacts.clear();
   if (period.engaged != nullptr) step_.contacts = period.engaged->proxy.bearing;
   step_.near = snapshot_.near;
+  step_.cut.reset();
+  if (period.engaged != nullptr && period.engaged->cutting)
+    step_.cut = period.engaged->cutting->begun();
   period.ring->push(step_);
 }
 

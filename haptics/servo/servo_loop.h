@@ -57,6 +57,9 @@ class ServoLoop {
   /// Structures to which the proxy's distance is measured, from the next tick on; null: none. It
   /// must live as long as a ring.
   std::atomic<const Watch*> watch{nullptr};
+  /// Until then the key of the burr counts as down, by the watchdog's clock [ns]. A window that
+  /// hangs does not say it again.
+  std::atomic<std::int64_t> cut_until{0};
   std::atomic<std::uint64_t> boundary{0};  ///< completed ticks
 
   /// Starts the thread.
@@ -107,6 +110,9 @@ class ServoLoop {
   /// Takes new settings, handling and scene, and the watchdog's beat.
   Period takeWishes(std::int64_t now) HAPTICS_RT;
   void readDevice(Period& period, std::int64_t now) HAPTICS_RT;
+  /// Whether the burr turns: its key or button is held, and was released since the last start,
+  /// scene, gap or fault.
+  void judgeCut(Period& period, std::int64_t now) HAPTICS_RT;
   ServoResult feel(Period& period, Budget& budget) HAPTICS_RT;
   void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;
   void noteTransitions(double time) HAPTICS_RT;
@@ -128,6 +134,7 @@ class ServoLoop {
   bool lost_ = false;               ///< the device is lost permanently
   const Watch* watched_ = nullptr;  ///< in the last tick
   bool felt_ = false;               ///< some of its structures
+  bool may_cut_ = false;            ///< the burr's key was released
   Pose X_WD_ = Pose::Identity();
   std::unique_ptr<Guard> guard_;  ///< null: not a real device
   Step step_;

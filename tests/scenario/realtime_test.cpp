@@ -7,10 +7,12 @@
 #include <cmath>
 #include <condition_variable>
 #include <iostream>
+#include <limits>
 #include <mutex>
 #include <thread>
 
 #include "datasets/phantoms/making.h"
+#include "haptics/proxy/cutting.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/simulation/simulated.h"
 #include "tests/scenario/fake_device.h"
@@ -245,6 +247,72 @@ TEST(EveryTick, MeetsNoPageFaultAtAnyRate) {
     EXPECT_GT(snapshot.contacts, 0);
     std::ranges::sort(faults);
     EXPECT_EQ(faults[2], 0) << rate.hz << " Hz, at most " << faults[4];
+  }
+}
+
+/// A hand that mills with a burr, and its key, which is held from the tenth tick on.
+struct Milling {
+  explicit Milling(const Stage& on, bool ahead) : stage{on} {
+    hand = Hand::aimed(HandMotion::Mill, *stage.scene, stage.isovalue, 4e-3, 7).value();
+    haptics::CutLaw law;
+    const auto& points = stage.scene->tool.shell.points;
+    law.burr.radius = 2e-3;
+    law.burr.centre_P.z() =
+        std::ranges::min(points, {}, [](const Vec3& p) { return p.z(); }).z() + 2e-3;
+    auto made =
+        std::make_unique<haptics::Cutting>(haptics::CarvedScene::of(*stage.scene).value(), law);
+    if (ahead) made->lookAhead();
+    cutting = made.get();
+    loop = std::make_unique<ServoLoop>(
+        haptics::openSimulated(*hand, {}, haptics::ServoRate{}.period()),
+        haptics::Settings{.isovalue = stage.isovalue});
+    loop->scenes.offer(std::make_unique<haptics::Engagement>(std::move(made), hand->at(0.0)));
+    loop->recording = &ring;
+    run(*loop, {}, tick, 10);
+    loop->cut_until = std::numeric_limits<std::int64_t>::max();
+  }
+  void empty() {
+    for (haptics::Step step; ring.take(step);) cuts += step.cut.has_value();
+  }
+
+  const Stage& stage;
+  std::optional<Hand> hand;
+  haptics::StepRing ring{0};
+  haptics::Cutting* cutting = nullptr;
+  std::unique_ptr<ServoLoop> loop;
+  std::int64_t tick = 0, cuts = 0;
+};
+
+TEST(EveryTick, NeitherAllocatesNorLocksWhileItCuts) {
+  const Stage stage = stageOf("demo", namedTool("burr-4"));
+  Milling milling{stage, true};
+  for (int part = 0; part < made::trials(20); ++part) {
+    run(*milling.loop, {}, milling.tick, 2'000);
+    milling.empty();
+  }
+  EXPECT_GT(milling.cuts, made::trials(10'000));
+  EXPECT_GT(milling.cutting->removed().volume, 20e-9);
+}
+
+// where the pages are copied ahead; where they are not, there are faults
+TEST(EveryTick, MeetsNoPageFaultWhileItCuts) {
+  const Stage stage = stageOf("demo", namedTool("burr-4"));
+  for (const bool ahead : {true, false}) {
+    Milling milling{stage, ahead};
+    long faults = 0;
+    for (int n = 0; n < 3'600; ++n) {
+      // as long as a tick, for the other thread
+      std::this_thread::sleep_for(std::chrono::microseconds{600});
+      const long before = pageFaults();
+      milling.loop->step(haptics::ServoRate{}.period() * double(milling.tick++));
+      faults += pageFaults() - before;
+      milling.empty();
+    }
+    EXPECT_GT(milling.cuts, 500);
+    if (ahead)
+      EXPECT_LE(faults, 3);  // the system may take a page away at any time
+    else
+      EXPECT_GT(faults, 5);
   }
 }
 
