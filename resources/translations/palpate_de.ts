@@ -2963,6 +2963,14 @@
         <source>Details</source>
         <translation>Einzelheiten</translation>
     </message>
+    <message>
+        <source>Burr, 1 mm</source>
+        <translation>Fräse, 1 mm</translation>
+    </message>
+    <message>
+        <source>Burr, 3 mm</source>
+        <translation>Fräse, 3 mm</translation>
+    </message>
 </context>
 <context>
     <name>app::ViewController</name>
