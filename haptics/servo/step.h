@@ -54,7 +54,7 @@ struct Step {
   std::uint16_t flags = 0;
   Bearing contacts;
   std::optional<BurrCut> cut;  ///< that began after the tick
-  Nearnesses near;  ///< of the proxy to the watched structures
+  Nearnesses near;             ///< of the proxy to the watched structures
 };
 
 /// State from which a replay of the following steps gives the same result. Recorded before the
