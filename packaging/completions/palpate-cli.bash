@@ -85,10 +85,10 @@ _palpate_cli() {
     "run --every") compopt -o default; return ;;
     "run --box") compopt -o default; return ;;
     "run --isovalue") compopt -o default; return ;;
-    "run --tool") mapfile -t COMPREPLY < <(compgen -W "burr-2 burr-4 burr-6 drill probe curved-probe hook elevator needle sphere cane wrench peg" -- "$word"); compopt -o default; return ;;
+    "run --tool") mapfile -t COMPREPLY < <(compgen -W "burr-1 burr-2 burr-3 burr-4 burr-6 drill probe curved-probe hook elevator needle sphere cane wrench peg" -- "$word"); compopt -o default; return ;;
     "run --points") compopt -o default; return ;;
     "run --tool-unit") mapfile -t COMPREPLY < <(compgen -W "m mm cm in" -- "$word"); return ;;
-    "run --hand") mapfile -t COMPREPLY < <(compgen -W "tap slide wedge pry hook jerk twist" -- "$word"); compopt -o default; return ;;
+    "run --hand") mapfile -t COMPREPLY < <(compgen -W "tap slide wedge pry hook jerk twist plunge mill hollow" -- "$word"); compopt -o default; return ;;
     "run --seconds") compopt -o default; return ;;
     "run --stiffness") compopt -o default; return ;;
     "run --angular-stiffness") compopt -o default; return ;;
@@ -101,6 +101,9 @@ _palpate_cli() {
     "run --normals") mapfile -t COMPREPLY < <(compgen -W "cell central spline" -- "$word"); return ;;
     "run --device") compopt -o default; return ;;
     "run --rate") mapfile -t COMPREPLY < <(compgen -W "1000 2000 4000" -- "$word"); return ;;
+    "run --burr-speed") compopt -o default; return ;;
+    "run --burr-energy") compopt -o default; return ;;
+    "run --save-volume") compopt -o default; return ;;
     "run --labels") compopt -o default; return ;;
     "run --watch") compopt -o default; return ;;
     "run --feel") compopt -o default; return ;;
@@ -168,7 +171,7 @@ _palpate_cli() {
     "cohort merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --before --isovalue --tool --hand --repetitions --seconds --stiffness --angular-stiffness --friction --field --normals --epsilon --sub-steps --budget --rate --seed --tool-mesh --tool-unit --json" -- "$word") ;;
     "devices") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "tool") mapfile -t COMPREPLY < <(compgen -W "-h --help --points --tool-unit --out --json" -- "$word") ;;
-    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --normals --device --rate --labels --watch --feel --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
+    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --normals --device --rate --cut --burr-speed --burr-energy --save-volume --labels --watch --feel --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
     "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --labels --watch --json" -- "$word") ;;
     "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "report") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --labels --watch --margin --name --out --json" -- "$word") ;;

@@ -11,7 +11,7 @@ _palpate() {
   case "$command $before" in
     " --phantom") mapfile -t COMPREPLY < <(compgen -W "demo mastoid sphere halfspace torus gyroid wedge hole slot cylinder marker" -- "$word"); return ;;
     " --isovalue") compopt -o default; return ;;
-    " --tool") mapfile -t COMPREPLY < <(compgen -W "burr-2 burr-4 burr-6 drill probe curved-probe hook elevator needle sphere cane wrench peg" -- "$word"); compopt -o default; return ;;
+    " --tool") mapfile -t COMPREPLY < <(compgen -W "burr-1 burr-2 burr-3 burr-4 burr-6 drill probe curved-probe hook elevator needle sphere cane wrench peg" -- "$word"); compopt -o default; return ;;
     " --tool-unit") mapfile -t COMPREPLY < <(compgen -W "m mm cm in" -- "$word"); return ;;
     " --hand") mapfile -t COMPREPLY < <(compgen -W "mouse tap slide wedge pry hook jerk twist" -- "$word"); compopt -o default; return ;;
     " --surface") mapfile -t COMPREPLY < <(compgen -W "raycast mesh" -- "$word"); return ;;
