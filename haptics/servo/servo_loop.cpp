@@ -148,8 +148,10 @@ void ServoLoop::judgeCut(Period& period, std::int64_t now) HAPTICS_RT {
     may_cut_ = false;
   else if (!down)
     may_cut_ = true;
+  // nobody cuts what he does not feel
+  const bool felt = safety_.state() == ForceState::On || safety_.state() == ForceState::Ramping;
   const bool able = period.engaged != nullptr && period.engaged->cutting != nullptr;
-  period.raise(StepFlags::kCut, down && may_cut_ && able);
+  period.raise(StepFlags::kCut, down && may_cut_ && felt && able);
 }
 
 void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {

@@ -110,8 +110,8 @@ class ServoLoop {
   /// Takes new settings, handling and scene, and the watchdog's beat.
   Period takeWishes(std::int64_t now) HAPTICS_RT;
   void readDevice(Period& period, std::int64_t now) HAPTICS_RT;
-  /// Whether the burr turns: its key or button is held, and was released since the last start,
-  /// scene, gap or fault.
+  /// Whether the burr turns: its key or button is held, was released since the last start, scene,
+  /// gap or fault, and the force is on.
   void judgeCut(Period& period, std::int64_t now) HAPTICS_RT;
   ServoResult feel(Period& period, Budget& budget) HAPTICS_RT;
   void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;

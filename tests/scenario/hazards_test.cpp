@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
+#include <limits>
 #include <thread>
 
 #include "datasets/phantoms/sampling.h"
+#include "haptics/proxy/cutting.h"
 #include "haptics/session.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
@@ -527,6 +530,117 @@ TEST(Hazards, WhatIsWrongWithTheDeviceIsInTheSnapshot) {
   held.device->trouble = Trouble::NotHomed;
   held.step();
   EXPECT_EQ(held.snapshot().trouble, Trouble::NotHomed);
+}
+
+/// The same hand with a tool that cuts, and the key of its burr.
+struct HeldBurr : Held {
+  HeldBurr() {
+    loop->recording = &ring;
+    offer(kAbove);
+  }
+  ~HeldBurr() { loop->recording = nullptr; }
+  void offer(const Pose& X_WP) {
+    haptics::CutLaw law;
+    law.burr.radius = 3e-3;
+    auto made =
+        std::make_unique<haptics::Cutting>(haptics::CarvedScene::of(*stage.scene).value(), law);
+    cutting = made.get();
+    loop->scenes.offer(std::make_unique<haptics::Engagement>(std::move(made), X_WP));
+  }
+  void key(bool down) { loop->cut_until = down ? std::numeric_limits<std::int64_t>::max() : 0; }
+  /// Whether it turned in the last tick.
+  bool turns() {
+    haptics::Step last;
+    for (haptics::Step step; ring.take(step);) last = step;
+    return (last.flags & haptics::StepFlags::kCut) != 0;
+  }
+  void releaseAndHold() {
+    key(false);
+    steps(2);
+    key(true);
+    steps(20);
+  }
+
+  haptics::StepRing ring{0};
+  haptics::Cutting* cutting = nullptr;
+};
+
+TEST(Hazards, ABurrTurnsOnlyWhileItsKeyIsHeldAndWasReleasedBefore) {
+  HeldBurr held;
+  // held since before the start
+  held.key(true);
+  held.press();
+  EXPECT_FALSE(held.turns());
+  EXPECT_EQ(held.cutting->removed().voxels, 0);
+  held.releaseAndHold();
+  EXPECT_TRUE(held.turns());
+  held.steps(200);
+  const double removed = held.cutting->removed().volume;
+  EXPECT_GT(removed, 1e-10);
+  // a window that hangs says it no more
+  held.loop->cut_until = held.now + 20'000'000;
+  held.steps(10);
+  EXPECT_TRUE(held.turns());
+  held.steps(10);
+  EXPECT_FALSE(held.turns());
+  held.steps(10);
+  const double then = held.cutting->removed().volume;
+  held.steps(200);
+  EXPECT_EQ(held.cutting->removed().volume, then);
+
+  // what ends it, each until the key was released
+  const auto ends = [&](const char* what, const std::function<void()>& happens) {
+    SCOPED_TRACE(what);
+    held.releaseAndHold();
+    EXPECT_TRUE(held.turns());
+    happens();
+    held.steps(50);
+    EXPECT_FALSE(held.turns());
+    held.loop->armed = true;
+    held.steps(held.ticksIn(1.2));
+    EXPECT_FALSE(held.turns());
+    held.releaseAndHold();
+    EXPECT_TRUE(held.turns());
+  };
+  ends("disarmed", [&] {
+    held.loop->armed = false;
+    held.steps(held.ticksIn(0.2));
+    held.key(false);
+    held.steps(2);
+    held.key(true);
+    held.steps(2);
+    EXPECT_FALSE(held.turns());
+    held.key(false);
+  });
+  ends("gap", [&] { held.step(6'000'000); });
+  ends("not ready", [&] {
+    held.device->status = DeviceStatus::NotReady;
+    held.steps(3);
+    held.device->status = DeviceStatus::Ok;
+  });
+  ends("silent", [&] {
+    held.device->status = DeviceStatus::Stale;
+    held.steps(4);
+    held.device->status = DeviceStatus::Ok;
+  });
+  ends("another scene", [&] { held.offer(held.snapshot().X_WP); });
+  // a button of the device does the same
+  held.key(false);
+  held.handling.cut_button = 3;
+  held.loop->handling.publish(held.handling);
+  held.device->buttons = 1U << 3;
+  held.steps(2);
+  EXPECT_TRUE(held.turns());
+  held.device->buttons = 1U << 2;
+  held.steps(2);
+  EXPECT_FALSE(held.turns());
+  // a fault, whatever is held or released
+  held.key(true);
+  held.device->X_BD.translation().z() += 0.05;
+  held.steps(2);
+  EXPECT_EQ(held.snapshot().force_state, ForceState::Fault);
+  held.releaseAndHold();
+  EXPECT_FALSE(held.turns());
 }
 
 }  // namespace
