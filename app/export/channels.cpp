@@ -214,6 +214,8 @@ ordered_json kindsOfEvents() {
       {"mark", "The user set a mark, with a note"},
       {"edit", "A part of the scan was taken away or brought back: the command is in the note"},
       {"structures", "Structures are felt otherwise: the note lists them; 1: from the beginning"},
+      {"cut_law", "How the tool's burr cuts, in SI; 1: from the beginning"},
+      {"carved", "The note is a digest of the voxels that cuts have changed"},
       {"camera", "The view moved"}};
 }
 

@@ -143,7 +143,7 @@ TEST(ToolList, IsReadOutLineByLine) {
   QTest::mouseClick(&shown.list, Qt::LeftButton);
   QAccessibleInterface* lines = QAccessible::queryAccessibleInterface(shown.lines);
   ASSERT_NE(lines, nullptr);
-  ASSERT_EQ(lines->childCount(), 3 + 13 + 1);  // groups, tools, the file
+  ASSERT_EQ(lines->childCount(), 3 + 15 + 1);  // groups, tools, the file
   QStringList names, present;
   for (int k = 0; k < lines->childCount(); ++k) {
     const QAccessibleInterface* line = lines->child(k);
