@@ -20,7 +20,7 @@ namespace ui {
 namespace {
 
 // a smoothed surface is off by half a voxel, seen aslant by more
-constexpr double kForward = 1.6;      // voxels
+constexpr double kForward = 0.8;      // voxels
 constexpr double kMostNearer = 0.02;  // of the distance
 constexpr double kAmbientOfStructure = 0.25, kDiffuseOfStructure = 0.75;
 
