@@ -151,7 +151,7 @@ TEST(ToolList, IsReadOutLineByLine) {
     if (line->text(QAccessible::Description).contains("present")) present << names.back();
   }
   EXPECT_EQ(names[0], "Drilling");
-  EXPECT_EQ(names[1], "Burr, 2 mm, length 145 mm · tip 2 mm");
+  EXPECT_EQ(names[1], "Burr, 1 mm, length 145 mm · tip 1 mm");
   EXPECT_TRUE(names.contains("Needle, length 100 mm · tip 0.3 mm"))
       << names.join('\n').toStdString();
   EXPECT_TRUE(names.contains("Curved probe, length 150 mm · tip 1.5 mm"));
