@@ -48,8 +48,7 @@ class Clearance {
   /// path.
   void moved(double translation, double rotation) HAPTICS_RT;
 
-  /// The field was lowered somewhere. What was proven free stays so; what was found near the
-  /// surface is found anew.
+  /// The field was lowered somewhere. Proofs hold on; points near the surface are sought anew.
   void lowered() HAPTICS_RT {
     covers_.forget();
     restart();

@@ -10,6 +10,7 @@ namespace {
 
 // Units in a tick, some 25 us: what is left of a cut waits for the next ticks.
 constexpr std::int64_t kCutWork = 2'200;
+constexpr std::int64_t kRefreshWork = 400;  // of a block
 // Voxels that the ball goes beyond the proxy's, or stays behind it, in one cut.
 constexpr double kMostAhead = 0.25;
 // The same of what may be owed: what the law gives and nothing takes is forgotten.
@@ -28,12 +29,19 @@ void Cutting::lookAhead() {
   ahead_ = std::make_unique<PagesAhead>(scene()->volume, reach);
 }
 
+void Cutting::forget() HAPTICS_RT {
+  owed_ = standoff_ = 0.0;
+  last_W_.reset();
+  burr_WD_.reset();
+  velocity_W_.setZero();
+  drag_W_.setZero();
+}
+
 void Cutting::make(const BurrCut& cut) {
-  Contacts none;
   carved_->begin(cut);
   while (!carved_->isDone()) {
     Budget budget = Budget::counted(1'000'000);
-    carved_->advance(law_.material, none, Vec3::Zero(), 1'000'000, budget);
+    carved_->advance(law_.material, 1'000'000, budget);
   }
 }
 
@@ -94,6 +102,10 @@ Vec3 Cutting::dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPT
 Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
                    Budget& budget) HAPTICS_RT {
   begun_.reset();
+  if (!X_WD.matrix().allFinite()) {
+    forget();  // a number that is none would stay in what is smoothed
+    return {};
+  }
   if (ahead_) ahead_->at(proxy.X_WP * law_.burr.centre_P);
   const Vec3 press = held && !proxy.recovery.active ? pressOn(proxy) : Vec3::Zero();
   force_ = press.norm();
@@ -104,13 +116,22 @@ Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, d
   }
   owed_ += law_.share * force_ * law_.speed * law_.burr.radius * period;
   if (carved_->isDone() && force_ > 0.0) begin(press, proxy.X_WP * law_.burr.centre_P, isovalue);
-  const Removed now =
-      carved_->advance(law_.material, proxy.contacts, proxy.X_WP.translation(), kCutWork, budget);
-  if (now.voxels > 0) proxy.clearance.lowered();
+  const Removed now = carved_->advance(law_.material, kCutWork, budget);
+  if (now.voxels > 0) {
+    proxy.clearance.lowered();
+    // of a search under way, and those that it may return to
+    const Search& search = proxy.search;
+    const bool under_way = search.stage != Search::Stage::Done;
+    carved_->drop(proxy.contacts, (under_way ? search.X : proxy.X_WP).translation());
+    carved_->drop(proxy.search.contacts_taken, proxy.X_WP.translation());
+  }
   removed_.add(now);
   owed_ -= now.energy;
   if (!held && carved_->isDone()) carved_->rest();
-  if (budget.left()) carved_->refresh(1);
+  if (carved_->refresh(0) > 0 && budget.left()) {
+    budget.spend(kRefreshWork);
+    carved_->refresh(1);
+  }
   return {.force = drag, .torque = (X_WD.linear() * law_.burr.centre_P).cross(drag)};
 }
 

@@ -61,13 +61,14 @@ class Cutting {
   /// Carries out a cut that was made before, whole. Before the first tick; not for the servo
   /// thread.
   void make(const BurrCut& cut);
+  /// Forgets the hand, the debt and the stand-off, as Proxy::forget() does what the proxy found. A
+  /// cut under way goes on.
+  void forget() HAPTICS_RT;
   /// The cut that the last call began, if it did.
   const std::optional<BurrCut>& begun() const HAPTICS_RT { return begun_; }
   /// Since it was made.
   const Removed& removed() const HAPTICS_RT { return removed_; }
   double force() const HAPTICS_RT { return force_; }  ///< N, on the burr in the last call
-  /// Whether every cut is carried out and all bounds are exact.
-  bool isAtRest() const HAPTICS_RT { return carved_->isDone() && carved_->refresh(0) == 0; }
 
  private:
   /// N, W: what the surface does to the burr.

@@ -90,15 +90,18 @@ void CarvedScene::begin(const BurrCut& cut) HAPTICS_RT {
   if (!carving_.isDone()) raiseAround(carving_.box());
 }
 
-Removed CarvedScene::advance(const Material& material, Contacts& contacts, const Vec3& tool_W,
-                             std::int64_t work, Budget& budget) HAPTICS_RT {
+Removed CarvedScene::advance(const Material& material, std::int64_t work,
+                             Budget& budget) HAPTICS_RT {
   Removed removed;
   const std::int64_t of_row = 1 + carving_.voxelsInRow() / 12;
   for (; work > 0 && !carving_.isDone() && budget.left(); work -= of_row) {
     removed.add(carving_.lowerRow(voxels_.get(), scan_->voxels.get(), material));
     budget.spend(of_row);
   }
-  if (removed.voxels == 0) return removed;
+  return removed;
+}
+
+void CarvedScene::drop(Contacts& contacts, const Vec3& tool_W) const HAPTICS_RT {
   // their cell, or one that their normal is taken from, may have a corner that was lowered
   const Vec3 way = cut_.to_W - cut_.from_W;
   const double square = way.squaredNorm();
@@ -111,7 +114,6 @@ Removed CarvedScene::advance(const Material& material, Contacts& contacts, const
     else
       ++n;
   }
-  return removed;
 }
 
 std::size_t CarvedScene::refresh(std::size_t blocks) HAPTICS_RT {

@@ -33,10 +33,10 @@ class CarvedScene {
   /// Begins a cut; the one before must be done.
   void begin(const BurrCut& cut) HAPTICS_RT;
   /// Goes on with it for so many units of work while there is budget. Returns what was removed.
-  /// Drops contacts, of a tool with its origin there, whose cells may have changed: the tool would
-  /// hang on what is gone.
-  Removed advance(const Material& material, Contacts& contacts, const Vec3& tool_W,
-                  std::int64_t work, Budget& budget) HAPTICS_RT;
+  Removed advance(const Material& material, std::int64_t work, Budget& budget) HAPTICS_RT;
+  /// Drops contacts, of a tool with its origin there, whose cells the cut may have changed: the
+  /// tool would hang on what is gone.
+  void drop(Contacts& contacts, const Vec3& tool_W) const HAPTICS_RT;
   bool isDone() const HAPTICS_RT { return carving_.isDone(); }
   /// Finds the bounds of up to so many blocks anew. Where it was cut last they stay as high as the
   /// next cut may need. Returns how many blocks have bounds that are not exact.

@@ -289,6 +289,7 @@ void ServoLoop::startRecording(StepRing& ring, Engagement* touched) HAPTICS_RT {
   if (touched != nullptr) {
     touched->proxy.forget();
     touched->felt.forget();
+    if (touched->cutting) touched->cutting->forget();
     start.scene = static_cast<std::uint32_t>(touched->scene->id);
     start.X_WP = touched->proxy.X_WP;
     start.turn = touched->proxy.turn;

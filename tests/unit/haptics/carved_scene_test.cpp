@@ -33,11 +33,10 @@ std::unique_ptr<CarvedScene> carvedOf(const Volume& volume, FieldKind kind = Fie
   return CarvedScene::of(*scene).value();
 }
 
-/// As far as this work goes, with no contact.
+/// As far as this work goes.
 haptics::Removed advance(CarvedScene& carved, std::int64_t work) {
-  Contacts none;
   auto budget = haptics::Budget::counted(1'000'000'000);
-  return carved.advance({}, none, Vec3::Zero(), work, budget);
+  return carved.advance({}, work, budget);
 }
 
 BurrCut anyCut(const Volume& volume, double s, Random& random) {
@@ -167,8 +166,8 @@ TEST(CarvedScene, DropsContactsWhoseCellIsCut) {
   }
   const double s = 0.5 * (volume.least + volume.greatest);
   carved->begin({tool, tool, 1.5e-3, s});
-  auto budget = haptics::Budget::counted(1'000'000);
-  EXPECT_GT(carved->advance({}, contacts, tool, 1'000'000, budget).voxels, 10);
+  EXPECT_GT(advance(*carved, 1'000'000).voxels, 10);
+  carved->drop(contacts, tool);
   ASSERT_EQ(contacts.size(), 1U);
   EXPECT_EQ(contacts[0].r_W.x(), 0.008);
 }
