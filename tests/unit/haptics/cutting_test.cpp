@@ -74,7 +74,6 @@ struct Outcome {
   double volume = 0.0, given = 0.0;  ///< m3: removed, and what the law says of the pushes
   double depth = 0.0, radius = 0.0;  ///< m: of the ball that was cut
   double deepest = 0.0;              ///< m: penetration
-  int stale = 0;                     ///< contacts within what was cut
 };
 
 /// Presses the ball into the block by a device that is moved so that the coupling has this force.
@@ -103,12 +102,6 @@ Outcome press(const Press& how, const CutLaw& law) {
                      law.material.energyAt(s);
     outcome.deepest =
         std::max(outcome.deepest, haptics::penetration(*cutting.scene(), s, proxy.X_WP));
-    // nothing that was cut is a contact, nor of those to which a search returns
-    if (cutting.begun())
-      for (const haptics::Contacts* contacts : {&proxy.contacts, &proxy.search.contacts_taken})
-        for (const haptics::Contact& contact : *contacts)
-          outcome.stale += (proxy.X_WP.translation() + contact.r_W - cutting.begun()->to_W).norm() <
-                           cutting.begun()->radius;
     if (cutting.begun())
       outcome.depth = kSurface - cutting.begun()->to_W.z() + cutting.begun()->radius;
     outcome.radius = kRadius + cutting.scene()->lengths.epsilon;
@@ -133,7 +126,30 @@ TEST(Cutting, TakesWhatTheLawSays) {
     EXPECT_NEAR(cut.volume / law, 1.0, 0.01) << force;
     EXPECT_NEAR(cap / law, 1.0, 0.01) << force;
     EXPECT_EQ(cut.deepest, 0.0);
-    EXPECT_EQ(cut.stale, 0);
+  }
+}
+
+TEST(Cutting, LeavesNoContactOfWhatIsGone) {
+  const auto scene = haptics::makeScene(made::shared(block(ScalarType::Int16)), ballTool()).value();
+  Cutting cutting{CarvedScene::of(*scene).value(), lawOf()};
+  Pose X = Pose::Identity();
+  X.translation().z() = kSurface + kRadius - 0.1e-3;
+  Proxy proxy{*cutting.scene(), X};
+  haptics::Contact under, beside;
+  under.r_W = Vec3(0.0, 0.0, -kRadius);
+  beside.r_W = Vec3(0.02, 0.0, 0.0);
+  // those of the search, and those that it may return to
+  for (haptics::Contacts* contacts : {&proxy.contacts, &proxy.search.contacts_taken}) {
+    contacts->push(under);
+    contacts->push(beside);
+  }
+  proxy.bearing.push({under.r_W, Vec3::UnitZ(), 2.0});
+  Budget budget = Budget::counted(1'000'000);
+  cutting.go(true, proxy, X, 88.0, 1e-3, budget);
+  EXPECT_GT(cutting.removed().voxels, 0);
+  for (const haptics::Contacts* contacts : {&proxy.contacts, &proxy.search.contacts_taken}) {
+    ASSERT_EQ(contacts->size(), 1U);
+    EXPECT_EQ((*contacts)[0].r_W.x(), 0.02);
   }
 }
 
