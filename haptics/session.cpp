@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -114,6 +115,8 @@ class Session::Loop {
   std::vector<std::shared_ptr<const Watch>> unwatched;  ///< may yet be in use
   std::unique_ptr<ServoLoop> servo;
   std::shared_ptr<const Scene> scene;
+  std::unique_ptr<Cutting> cutting;  ///< of the scene, while no loop has it
+  std::deque<BurrCut> cuts_left;     ///< of a loop that has ended
   Pose X_start = Pose::Identity();
   Settings settings;
   std::optional<DeviceRating> rating;  ///< of the real device that is open
@@ -126,7 +129,12 @@ class Session::Loop {
   /// Takes over, with the proxy at X_WP.
   Expected<void> begin(std::unique_ptr<ServoLoop> loop, const Pose& X_WP) {
     servo = std::move(loop);
-    servo->scenes.offer(std::make_unique<Engagement>(scene, X_WP));
+    if (cutting) {
+      cutting->forget();
+      servo->scenes.offer(std::make_unique<Engagement>(std::move(cutting), X_WP));
+    } else {
+      servo->scenes.offer(std::make_unique<Engagement>(scene, X_WP));
+    }
     servo->recording.store(ring.get());
     servo->watch.store(watch.get());
     try {
@@ -136,6 +144,10 @@ class Session::Loop {
       return tl::unexpected(Error{Error::Kind::Unsupported, {"touch-no-thread", {}}, "no-thread"});
     }
     return {};
+  }
+  /// Keeps what cuts in the scene for the next loop.
+  void keep(std::unique_ptr<Cutting> kept) {
+    if (kept && scene && kept->scene()->id == scene->id) cutting = std::move(kept);
   }
   bool armed = true;          ///< the user's word, through every hand and scene
   std::uint64_t left_at = 0;  ///< the boundary behind which they do no more
@@ -197,9 +209,11 @@ Expected<void> Session::open(std::unique_ptr<Device> device) {
 }
 
 void Session::close() {
-  if (loop_->servo && loop_->rating) {
+  if (loop_->servo) {
     loop_->servo->end();
-    loop_->warmth = {loop_->rating->id, loop_->servo->heat(), monotonicNs()};
+    if (loop_->rating) loop_->warmth = {loop_->rating->id, loop_->servo->heat(), monotonicNs()};
+    loop_->keep(loop_->servo->scenes.release());
+    for (BurrCut cut; loop_->servo->cuts.try_dequeue(cut);) loop_->cuts_left.push_back(cut);
   }
   loop_->servo.reset();
   loop_->rating.reset();
@@ -211,6 +225,7 @@ bool Session::isOpen() const { return loop_->servo != nullptr; }
 
 void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W, bool with_hand) {
   loop_->scene = std::move(scene);
+  loop_->cutting.reset();
   loop_->X_start = start_W;
   if (!loop_->servo) return;
   // with no room near, the proxy starts where it is and is brought out, force faded
@@ -228,6 +243,32 @@ void Session::bring(const Pose& X_WT, const Pose& X_WH) {
   auto engagement = std::make_unique<Engagement>(loop_->scene, X_WT);
   engagement->X_WH = X_WH;
   loop_->servo->scenes.offer(std::move(engagement));
+}
+
+void Session::cut(std::unique_ptr<Cutting> cutting) {
+  if (!loop_->servo) return loop_->keep(std::move(cutting));
+  if (loop_->scene && cutting->scene()->id == loop_->scene->id)
+    loop_->servo->scenes.offer(std::move(cutting));
+}
+
+void Session::holdCut(bool down) {
+  constexpr std::int64_t kKeyCounts = 250'000'000;  // ns
+  if (loop_->servo) loop_->servo->cut_until.store(down ? Watchdog::clock() + kKeyCounts : 0);
+}
+
+std::size_t Session::cuts(std::span<BurrCut> cuts) {
+  std::size_t count = 0;
+  for (; count < cuts.size() && !loop_->cuts_left.empty(); ++count) {
+    cuts[count] = loop_->cuts_left.front();
+    loop_->cuts_left.pop_front();
+  }
+  if (loop_->servo)
+    while (count < cuts.size() && loop_->servo->cuts.try_dequeue(cuts[count])) ++count;
+  return count;
+}
+
+void Session::renew(std::shared_ptr<const Scene> scene) {
+  if (loop_->scene && loop_->scene->id == scene->id) loop_->scene = std::move(scene);
 }
 
 void Session::collectGarbage() {

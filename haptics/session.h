@@ -15,8 +15,10 @@
 
 namespace haptics {
 
+class Cutting;
 class Device;
 class StepRing;
+struct BurrCut;
 struct Watch;
 
 /// The hand that holds the device.
@@ -65,6 +67,18 @@ class Session {
   /// comes along and pulls to X_WH from there; a real device stays where it is, and its mapping
   /// moves. The tool must be legal at X_WT. Without an open hand, the next one starts there.
   void bring(const Pose& X_WT, const Pose& X_WH);
+
+  /// Lets the tool cut in the present scene from now on, for every hand: what was made of that scene.
+  /// Another is destroyed. It ends with the scene.
+  void cut(std::unique_ptr<Cutting> cutting);
+  /// The burr's key is down, or up. Down, it counts for a quarter of a second: say it at display
+  /// rate.
+  void holdCut(bool down);
+  /// Moves cuts that were begun, oldest first, into `cuts`; returns how many.
+  std::size_t cuts(std::span<BurrCut> cuts);
+  /// The present scene with the cuts that were made in it, and so with its id: what is opened or
+  /// brought from now on is placed by it.
+  void renew(std::shared_ptr<const Scene> scene);
 
   void set(const Settings& settings);
   /// The settings that the servo thread uses and a recording stores: those of set(), with the

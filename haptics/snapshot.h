@@ -74,6 +74,9 @@ struct Snapshot {
   ForceReason reason = ForceReason::None;
   std::uint32_t buttons = 0;        ///< buttons of the device, bit n for button n
   Trouble trouble = Trouble::None;  ///< trouble of the device, which the user must solve
+  bool can_cut = false;             ///< the tool has a burr, and the scene may be cut
+  bool cuts = false;                ///< the burr turns
+  double burr_force = 0.0;          ///< N, on the turning burr
   bool clutched = false;            ///< the clutch is down: the tool stays while the hand moves
   double stiffness_share = 1.0;     ///< share of the set stiffness after the passivity guard
   SchedulingPolicy policy = SchedulingPolicy::NotStarted;

@@ -245,10 +245,7 @@ std::string nameOf(const ToolChoice& choice) {
 std::optional<haptics::Burr> burrOf(const ToolChoice& choice, const haptics::PointShell& shell) {
   const resources::NamedTool* tool = resources::findNamedTool(choice.name);
   if (tool == nullptr || !tool->cuts()) return {};
-  const double radius = 0.5 * tool->tip;
-  const haptics::Vec3 end =
-      *std::ranges::min_element(shell.points, {}, [](const haptics::Vec3& p) { return p.z(); });
-  return haptics::Burr{{-shell.origin.x(), -shell.origin.y(), end.z() + radius}, radius};
+  return haptics::ballAtTip(shell, 0.5 * tool->tip);
 }
 
 /// All that decides a run: one number or word for each name, and lists of numbers.

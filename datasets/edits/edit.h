@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "haptics/carving/burr.h"
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/volume.h"
@@ -66,10 +67,19 @@ struct RemoveHolder {
   double isovalue = 0.0;
 };
 
+/// What a burr took away while its key was held.
+struct Stroke {
+  /// In the order in which they were made. Each begins less than its radius from where it ends.
+  std::vector<haptics::BurrCut> cuts;
+};
+
+inline constexpr std::size_t kMostCuts = 200'000;  ///< of a stroke: minutes of it
+
 /// One thing that the user took away, as a command: applied to the same volume it gives the same
 /// voxels, to the bit. A session file and a recording store it as text.
 using Edit =
-    std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces, RemoveHolder>;
+    std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces, RemoveHolder,
+                 Stroke>;
 
 /// One line of JSON; numbers so that reading gives the same double.
 std::string textOf(const Edit& edit);

@@ -67,6 +67,25 @@ haptics::Expected<haptics::Lowered> lowered(const haptics::Volume& volume,
   return std::move(*taken);
 }
 
+/// Carries out an edit that writes voxels, in a view of the volume. The runs that it lowered, at
+/// least one.
+haptics::Expected<std::vector<haptics::VoxelRun>> written(const haptics::Volume& volume,
+                                                          const Edit& edit, double greatest,
+                                                          void* view, const EditWatch& watch) {
+  haptics::Expected<std::vector<haptics::VoxelRun>> runs;
+  if (const auto* stroke = std::get_if<Stroke>(&edit)) {
+    runs = carve(volume, *stroke, view, {watch, 0.0, kLowered});
+  } else {
+    const auto made = operatorOf(volume, edit, greatest, watch);
+    if (!made) return tl::unexpected(made.error());
+    auto taken = lowered(volume, **made, view, {watch, kFound, kLowered});
+    if (!taken) return tl::unexpected(taken.error());
+    runs = std::move(taken->runs);
+  }
+  if (runs && runs->empty()) return nothingTaken();
+  return runs;
+}
+
 /// The volume of a draft, with how it came about.
 std::shared_ptr<const haptics::Volume> finished(
     Draft draft, std::shared_ptr<const haptics::Volume> scan, std::vector<Edit> edits,
@@ -102,16 +121,13 @@ haptics::Expected<void> applyAll(const haptics::Volume& scan, std::span<const Ed
       draft.view = std::move(*view);
       draft.volume.voxels = draft.view;
     }
-    const auto made = operatorOf(draft.volume, edits[n], scan.greatest, part);
-    if (!made) return tl::unexpected(made.error());
-    const auto taken = lowered(draft.volume, **made, draft.view.get(), {part, kFound, kLowered});
-    if (!taken) return tl::unexpected(taken.error());
-    if (taken->runs.empty()) return nothingTaken();
-    for (const haptics::VoxelRun& run : taken->runs) {
+    const auto runs = written(draft.volume, edits[n], scan.greatest, draft.view.get(), part);
+    if (!runs) return tl::unexpected(runs.error());
+    for (const haptics::VoxelRun& run : *runs) {
       const RunBytes bytes = bytesOfRun(scan, run);
       draft.touched.add(bytes.first, bytes.first + bytes.count);
     }
-    changed.add(taken->runs);
+    changed.add(*runs);
   }
   changed.add(scan.bounds(), draft.volume.bounds());
   draft.digest = digestOfVoxels(scan, draft.volume.voxels.get(), draft.touched);
@@ -177,6 +193,7 @@ haptics::Expected<Removal> removalWith(const haptics::Volume& volume, const Edit
       return tl::unexpected(possible.error());
     return removalOfCrop(volume, *crop, isovalue);
   }
+  if (std::holds_alternative<Stroke>(edit)) return nothingTaken();
   const auto made = operatorOf(volume, edit, isovalue, watch);
   if (!made) return tl::unexpected(made.error());
   auto taken = lowered(volume, **made, nullptr, {watch, kFound, 1.0});
@@ -262,16 +279,13 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> EditHistory::State::ap
     if (auto done = cropDraft(draft, *crop); !done) return tl::unexpected(done.error());
     changed.add(present->bounds(), draft.volume.bounds());
   } else {
-    const auto made = operatorOf(*present, edit, scan->greatest, watch);
-    if (!made) return tl::unexpected(made.error());
     auto view = viewOf(*scan, present->voxels.get(), touched);
     if (!view) return tl::unexpected(view.error());
     draft.view = std::move(*view);
     draft.volume.voxels = draft.view;
-    auto taken = lowered(*present, **made, draft.view.get(), {watch, kFound, kLowered});
-    if (!taken) return tl::unexpected(taken.error());
-    if (taken->runs.empty()) return nothingTaken();
-    for (const haptics::VoxelRun& run : taken->runs) {
+    auto runs = written(*present, edit, scan->greatest, draft.view.get(), watch);
+    if (!runs) return tl::unexpected(runs.error());
+    for (const haptics::VoxelRun& run : *runs) {
       const RunBytes bytes = bytesOfRun(*scan, run);
       draft.touched.add(bytes.first, bytes.first + bytes.count);
     }
@@ -281,8 +295,8 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> EditHistory::State::ap
           if (n == 0) {
             draft.digest = digestOfVoxels(*scan, draft.view.get(), draft.touched);
           } else {
-            changed.add(taken->runs);
-            journal = {*scan, present->voxels.get(), touched, std::move(taken->runs)};
+            changed.add(*runs);
+            journal = {*scan, present->voxels.get(), touched, std::move(*runs)};
           }
         }))
       return tl::unexpected(editCancelled());

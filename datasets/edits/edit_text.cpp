@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestText = 1 << 20;  // bytes; an outline of most corners has a quarter
+constexpr std::size_t kLongestText = 1 << 24;  // bytes; most cuts have less
+constexpr double kLargestBurr = 0.05;          // m
 constexpr double kFarthest = 1e4;              // m, or a tangent
 constexpr double kSkew = 1e-6;                 // of unit vectors and rotations that were rounded
 
@@ -62,6 +63,23 @@ json wordsOfEdit(const RemoveSmallPieces& pieces) {
 }
 json wordsOfEdit(const RemoveHolder& holder) {
   return {{"edit", "remove-holder"}, {"isovalue", holder.isovalue}};
+}
+
+/// Cuts that go on where the one before has ended are one way, a list of places.
+json wordsOfEdit(const Stroke& stroke) {
+  json ways = json::array();
+  for (std::size_t n = 0; n < stroke.cuts.size(); ++n) {
+    const haptics::BurrCut& cut = stroke.cuts[n];
+    const haptics::BurrCut* before = n > 0 ? &stroke.cuts[n - 1] : nullptr;
+    if (before == nullptr || before->to_W != cut.from_W || before->radius != cut.radius ||
+        before->isovalue != cut.isovalue)
+      ways.push_back({{"radius_m", cut.radius},
+                      {"isovalue", cut.isovalue},
+                      {"places_m", listOfNumbers(cut.from_W)}});
+    for (const double number : {cut.to_W.x(), cut.to_W.y(), cut.to_W.z()})
+      ways.back()["places_m"].push_back(number);
+  }
+  return {{"edit", "stroke"}, {"ways", std::move(ways)}};
 }
 
 [[noreturn]] void refuseWord() {
@@ -144,6 +162,35 @@ Edit lassoFrom(EditWords& words) {
   return cut;
 }
 
+Edit strokeFrom(EditWords& all) {
+  const json& ways = all.take("ways");
+  if (!ways.is_array() || ways.empty()) refuseWord();
+  Stroke stroke;
+  for (const json& one : ways) {
+    EditWords words{one};
+    const double radius = words.number("radius_m", kLargestBurr);
+    const double isovalue = words.number("isovalue", kGreatestValue);
+    const json& places = words.take("places_m");
+    words.end();
+    if (!(radius > 0.0) || !places.is_array() || places.size() < 6 || places.size() % 3 != 0 ||
+        places.size() / 3 + stroke.cuts.size() > kMostCuts + 1)
+      refuseWord();
+    const auto place = [&](std::size_t n) {
+      return haptics::Vec3{EditWords::numberOf(places[3 * n], kFarthest),
+                           EditWords::numberOf(places[3 * n + 1], kFarthest),
+                           EditWords::numberOf(places[3 * n + 2], kFarthest)};
+    };
+    haptics::Vec3 from = place(0);
+    for (std::size_t n = 1; n < places.size() / 3; ++n) {
+      const haptics::Vec3 to = place(n);
+      if (!((to - from).norm() < radius)) refuseWord();
+      stroke.cuts.push_back({from, to, radius, isovalue});
+      from = to;
+    }
+  }
+  return stroke;
+}
+
 Edit editOfWords(const json& all) {
   EditWords words{all};
   const std::string kind = words.take("edit").get<std::string>();
@@ -171,6 +218,8 @@ Edit editOfWords(const json& all) {
     edit = pieces;
   } else if (kind == "remove-holder") {
     edit = RemoveHolder{words.number("isovalue", kGreatestValue)};
+  } else if (kind == "stroke") {
+    edit = strokeFrom(words);
   } else {
     refuseWord();
   }

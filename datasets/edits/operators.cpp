@@ -20,9 +20,8 @@ bool EditProgress::each(std::int64_t count, const std::function<void(std::int64_
       [&](std::int64_t n) {
         if (cancelled()) return;
         work(n);
-        if (watch_.advanced && std::this_thread::get_id() == caller)
-          watch_.advanced(from_ +
-                          (until_ - from_) * static_cast<double>(n) / static_cast<double>(count));
+        if (std::this_thread::get_id() == caller)
+          advance(static_cast<double>(n) / static_cast<double>(count));
       },
       std::min(2, haptics::coreCount()));  // the touch and the window need the others
   return !cancelled();

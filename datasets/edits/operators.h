@@ -16,7 +16,7 @@ namespace datasets {
 /// What an edit that writes voxels does to a given volume.
 using MadeOperator = haptics::Expected<std::unique_ptr<haptics::RowCutter>>;
 
-/// The operator of an edit that is no crop. The volume must outlive it. Refuses as removalOf().
+/// The operator of an edit that is no crop and no stroke. The volume must outlive it. Refuses as removalOf().
 MadeOperator operatorOf(const haptics::Volume& volume, const Edit& edit, double isovalue,
                         const EditWatch& watch);
 
@@ -37,11 +37,21 @@ class EditProgress {
   /// Calls work(n) for 0 <= n < count, in any order, on up to two threads; false if it was
   /// cancelled. The caller's thread tells the watch. What work throws on either thread leaves here.
   bool each(std::int64_t count, const std::function<void(std::int64_t)>& work) const;
+  /// Tells the watch that so much is done, from 0 to 1.
+  void advance(double done) const {
+    if (watch_.advanced) watch_.advanced(from_ + (until_ - from_) * done);
+  }
 
  private:
   const EditWatch& watch_;
   double from_, until_;
 };
+
+/// Makes the cuts of a stroke in a view of the volume. The runs in which voxels were lowered, and
+/// some around them, by k, j, i; none if nothing was.
+haptics::Expected<std::vector<haptics::VoxelRun>> carve(const haptics::Volume& volume,
+                                                        const Stroke& stroke, void* voxels,
+                                                        const EditProgress& progress);
 
 haptics::Error editCancelled();
 

@@ -19,9 +19,15 @@ constexpr double kMostOwed = 1.0;
 constexpr double kLearning = 0.05;
 constexpr double kOnBurr = 2e-6;      // m: a shell's point so far beyond the ball is not on it
 constexpr double kSmoothing = 0.005;  // s, of the device's velocity and of the drag
+constexpr double kNoDrag = 1e-9;      // N
 constexpr double kFullDrag = 0.1;     // m/s along the surface from which the drag is whole
 
 }  // namespace
+
+Burr ballAtTip(const PointShell& shell, double radius) {
+  const Vec3 end = *std::ranges::min_element(shell.points, {}, [](const Vec3& p) { return p.z(); });
+  return {{-shell.origin.x(), -shell.origin.y(), end.z() + radius}, radius};
+}
 
 void Cutting::lookAhead() {
   constexpr double kVoxels = 6.0;  // the wall's reach, and more
@@ -30,8 +36,13 @@ void Cutting::lookAhead() {
 }
 
 void Cutting::forget() HAPTICS_RT {
+  removed_ = {};
   owed_ = standoff_ = 0.0;
   last_W_.reset();
+  forgetDrag();
+}
+
+void Cutting::forgetDrag() HAPTICS_RT {
   burr_WD_.reset();
   velocity_W_.setZero();
   drag_W_.setZero();
@@ -109,7 +120,10 @@ Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, d
   if (ahead_) ahead_->at(proxy.X_WP * law_.burr.centre_P);
   const Vec3 press = held && !proxy.recovery.active ? pressOn(proxy) : Vec3::Zero();
   force_ = press.norm();
-  const Vec3 drag = dragFor(press, X_WD, period);
+  // between strokes exactly nothing is left of it: a tick does not tell since when it could cut
+  if (!held && drag_W_.norm() < kNoDrag) forgetDrag();
+  const bool drags = held || !drag_W_.isZero(0.0);
+  const Vec3 drag = drags ? dragFor(press, X_WD, period) : Vec3::Zero();
   if (!held) {
     last_W_.reset();
     owed_ = std::min(owed_, 0.0);

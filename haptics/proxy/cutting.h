@@ -21,6 +21,9 @@ struct Burr {
   double radius = 0.0;           ///< m
 };
 
+/// The ball at the lower end of a tool along its axis z.
+Burr ballAtTip(const PointShell& shell, double radius);
+
 /// How a burr removes material: as much in a second as
 ///
 ///   Q = share F speed radius / energy,
@@ -61,12 +64,12 @@ class Cutting {
   /// Carries out a cut that was made before, whole. Before the first tick; not for the servo
   /// thread.
   void make(const BurrCut& cut);
-  /// Forgets the hand, the debt and the stand-off, as Proxy::forget() does what the proxy found. A
-  /// cut under way goes on.
+  /// Forgets the hand, the debt, the stand-off and what was removed, as Proxy::forget() does what the
+  /// proxy found. A cut under way goes on.
   void forget() HAPTICS_RT;
   /// The cut that the last call began, if it did.
   const std::optional<BurrCut>& begun() const HAPTICS_RT { return begun_; }
-  /// Since it was made.
+  /// Since it was made, or forget().
   const Removed& removed() const HAPTICS_RT { return removed_; }
   double force() const HAPTICS_RT { return force_; }  ///< N, on the burr in the last call
 
@@ -75,6 +78,7 @@ class Cutting {
   Vec3 pressOn(const Proxy& proxy) const HAPTICS_RT;
   void begin(const Vec3& press_W, const Vec3& centre_W, double isovalue) HAPTICS_RT;
   Vec3 dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPTICS_RT;
+  void forgetDrag() HAPTICS_RT;
 
   std::unique_ptr<CarvedScene> carved_;
   std::unique_ptr<PagesAhead> ahead_;  ///< null: pages are copied when they are written

@@ -26,19 +26,23 @@ struct Engagement {
   std::shared_ptr<const Scene> scene;
   Proxy proxy;
   Felt felt;  ///< what structures make of its wrench
+  /// The scene from before a cutting was taken: no servo thread destroys one.
+  std::shared_ptr<const Scene> uncut = {};
   /// The mouse's grip comes along to the proxy's pose, and the mouse pulls to this one; none: it
   /// stays. A real device always stays: its mapping moves.
   std::optional<Pose> X_WH = {};
 };
 
-/// Hands engagements to the servo thread, and back after use. There is one setting thread and one
-/// servo thread; neither waits. The servo thread adopts no new engagement until the setting thread
-/// has collected the one that the servo thread left last.
+/// Hands engagements to the servo thread, and back after use, and what cuts in them. There is one
+/// setting thread and one servo thread; neither waits. The servo thread adopts no new engagement
+/// until the setting thread has collected the one that the servo thread left last.
 class SceneHandOver {
  public:
   ~SceneHandOver() {
     delete next_.load();
     delete left_.load();
+    delete cutting_.load();
+    delete waiting_;
     delete current_;
   }
   /// Setting thread: offers the next engagement. An earlier offer that was not adopted is
@@ -47,6 +51,12 @@ class SceneHandOver {
     collect();
     std::unique_ptr<Engagement> never_adopted{
         next_.exchange(engagement.release(), std::memory_order_acq_rel)};
+  }
+  /// Setting thread: offers what cuts in the engagement of the same scene, from then on. An earlier
+  /// offer that was not taken is destroyed.
+  void offer(std::unique_ptr<Cutting> cutting) {
+    std::unique_ptr<Cutting> never_taken{
+        cutting_.exchange(cutting.release(), std::memory_order_acq_rel)};
   }
   /// Setting thread: destroys the engagement that the servo thread has left.
   void collect() {
@@ -59,9 +69,35 @@ class SceneHandOver {
     if (current_ != nullptr && left_.load(std::memory_order_acquire) != nullptr) return false;
     Engagement* next = next_.exchange(nullptr, std::memory_order_acq_rel);
     if (next == nullptr) return false;
-    if (current_ != nullptr) left_.store(current_, std::memory_order_release);
+    if (current_ != nullptr) {
+      // the tool is brought elsewhere in the scene that it has cut
+      const bool same = current_->scene->id == next->scene->id;
+      if (same && current_->cutting && !next->cutting) {
+        current_->cutting->forget();
+        std::swap(current_->cutting, next->cutting);
+        std::swap(current_->scene, next->scene);
+      }
+      left_.store(current_, std::memory_order_release);
+    }
     current_ = next;
     return true;
+  }
+  /// Servo thread, at a tick boundary: takes what cuts in the present scene if it was offered. Its
+  /// voxels and bounds are those of the scene, so the proxy knows nothing wrong.
+  void takeCutting() HAPTICS_RT {
+    // what did not fit goes back for it, to be destroyed there
+    if (cutting_.load(std::memory_order_relaxed) != nullptr)
+      waiting_ = cutting_.exchange(waiting_, std::memory_order_acq_rel);
+    if (waiting_ == nullptr || current_ == nullptr || current_->cutting ||
+        waiting_->scene()->id != current_->scene->id)
+      return;
+    current_->cutting.reset(std::exchange(waiting_, nullptr));
+    current_->uncut = std::move(current_->scene);
+    current_->scene = current_->cutting->scene();
+  }
+  /// What cuts in the present engagement, or null; when the servo thread has ended.
+  std::unique_ptr<Cutting> release() {
+    return current_ == nullptr ? nullptr : std::move(current_->cutting);
   }
   /// Servo thread: the present engagement, or null.
   Engagement* current() HAPTICS_RT { return current_; }
@@ -69,6 +105,8 @@ class SceneHandOver {
  private:
   std::atomic<Engagement*> next_{nullptr};
   std::atomic<Engagement*> left_{nullptr};
+  std::atomic<Cutting*> cutting_{nullptr};  ///< offered, or given back
+  Cutting* waiting_ = nullptr;  ///< the servo thread's: of a scene that it has not adopted
   Engagement* current_ = nullptr;
 };
 

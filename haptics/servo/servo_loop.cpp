@@ -27,6 +27,7 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, bo
       safety_{limitsOf(device_->rating())} {
   touchPages(forces);
   touchPages(transitions);
+  touchPages(cuts);
 }
 
 ServoLoop::ServoLoop(std::unique_ptr<Device> device, const Settings& initial, const Pose& X_WD,
@@ -150,7 +151,8 @@ void ServoLoop::judgeCut(Period& period, std::int64_t now) HAPTICS_RT {
     may_cut_ = true;
   // nobody cuts what he does not feel
   const bool felt = safety_.state() == ForceState::On || safety_.state() == ForceState::Ramping;
-  const bool able = period.engaged != nullptr && period.engaged->cutting != nullptr;
+  const bool able = period.engaged != nullptr && period.engaged->cutting != nullptr &&
+                    cuts.size_approx() < kMostCuts / 2;
   period.raise(StepFlags::kCut, down && may_cut_ && felt && able);
 }
 
@@ -177,6 +179,7 @@ ServoLoop::Period ServoLoop::takeWishes(std::int64_t now) HAPTICS_RT {
   settings.take(in_force_);
   Period period;
   const bool adopted = scenes.adopt();
+  scenes.takeCutting();
   const bool stiffened = in_force_.stiffness != before.stiffness ||
                          in_force_.angular_stiffness != before.angular_stiffness;
   const bool moved = stiffened || in_force_.isovalue != before.isovalue ||
@@ -237,6 +240,7 @@ void ServoLoop::noteTransitions(double time) HAPTICS_RT {
 
 void ServoLoop::publish(const Period& period, const ServoResult& result, double time) HAPTICS_RT {
   const Engagement* const engaged = period.engaged;
+  const Cutting* const cutting = engaged != nullptr ? engaged->cutting.get() : nullptr;
   stats_.add(time, double(period.cpu_ns) * 1e-9);
   ++snapshot_.tick;
   snapshot_.time = time;
@@ -253,6 +257,10 @@ void ServoLoop::publish(const Period& period, const ServoResult& result, double 
   snapshot_.buttons = reading_.buttons;
   snapshot_.trouble = reading_.trouble;
   snapshot_.clutched = period.has(StepFlags::kClutched);
+  snapshot_.can_cut = cutting != nullptr;
+  snapshot_.cuts = period.has(StepFlags::kCut);
+  snapshot_.burr_force = snapshot_.cuts ? cutting->force() : 0.0;
+  if (cutting != nullptr && cutting->begun()) cuts.try_enqueue(*cutting->begun());
   snapshot_.stiffness_share = safety_.stiffnessShare();
   snapshot_.servo_rate = stats_.rate();
   snapshot_.tick_p99 = stats_.p99();

@@ -49,6 +49,9 @@ class ServoLoop {
   LatestValue<Snapshot> snapshots;
   moodycamel::ReaderWriterQueue<ForceSample> forces{8192};
   moodycamel::ReaderWriterQueue<ForceTransition> transitions{1024};
+  static constexpr std::size_t kMostCuts = 16'384;
+  /// Cuts as they began. Who has no room for more lets no burr turn.
+  moodycamel::ReaderWriterQueue<BurrCut> cuts{kMostCuts};
   SceneHandOver scenes;
   std::atomic<bool> armed;  ///< false: zero force from the next tick on
   /// Ring that receives the steps from the next tick on; null: no recording. The ring must live
@@ -111,7 +114,7 @@ class ServoLoop {
   Period takeWishes(std::int64_t now) HAPTICS_RT;
   void readDevice(Period& period, std::int64_t now) HAPTICS_RT;
   /// Whether the burr turns: its key or button is held, was released since the last start, scene,
-  /// gap or fault, and the force is on.
+  /// gap or fault, the force is on, and somebody takes the cuts.
   void judgeCut(Period& period, std::int64_t now) HAPTICS_RT;
   ServoResult feel(Period& period, Budget& budget) HAPTICS_RT;
   void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;

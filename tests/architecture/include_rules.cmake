@@ -40,7 +40,7 @@ rule(FOLDERS "resources" FORBIDS "^(Q[A-Za-z]|vtk|ui/|app/|datasets/|haptics/)"
      PERMITS "^haptics/core/" WHY "resources are read by all")
 rule(FOLDERS "app" EXCEPT "app/(study|cli|measurement|recording)"
      FORBIDS "^haptics/(field|collision|solver|coupling|proxy|servo|devices)/"
-     PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes)[.]h$"
+     PERMITS "^haptics/(devices/(catalogue|combined)|servo/emergency|field/lanes|proxy/cutting)[.]h$"
      WHY "the application uses haptics through its root headers")
 rule(FOLDERS "app/(study|cli|measurement|page|report)" FORBIDS "^(Q[A-Za-z]|vtk|ui/)"
      WHY "the command line, the studies and the reports build without Qt and VTK")

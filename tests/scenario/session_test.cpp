@@ -4,15 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <thread>
+#include <vector>
 
+#include "datasets/edits/edit_history.h"
 #include "haptics/core/clock.h"
 #include "haptics/coupling/safety.h"
+#include "haptics/proxy/cutting.h"
 #include "haptics/simulation/allowed_stiffness.h"
 #include "tests/scenario/fake_device.h"
 #include "tests/scenario/trial.h"
@@ -201,6 +207,100 @@ TEST(Session, MotorsThatWereHotAreSoWhenTheirDeviceIsOpenedAnew) {
   const double heat = 0.98 * std::exp(-(again.time - left) / haptics::ForceLimits::kWarmUp);
   EXPECT_LT(again.force, 8.0 - 7.5 * std::clamp((heat - 0.8) / 0.2, 0.0, 1.0));
   EXPECT_GT(strongest("another", [](double most, std::uint64_t) { return most > 1.5; }).force, 1.5);
+}
+
+/// A burr of 3 mm in the sphere, in the mouse's hand, which presses from above.
+struct MillingMouse {
+  MillingMouse() {
+    session.set({.isovalue = stage.isovalue, .stiffness = 1000.0});
+    session.adopt(stage.scene, kAbove);
+    EXPECT_TRUE(session.open(haptics::HandKind::Mouse, kAbove));
+    haptics::CutLaw law;
+    law.burr.radius = 3e-3;
+    auto cutting =
+        std::make_unique<haptics::Cutting>(haptics::CarvedScene::of(*stage.scene).value(), law);
+    touched = cutting->scene();
+    session.cut(std::move(cutting));
+  }
+  /// Goes on until it is so, at display rate, and takes the cuts.
+  bool until(const std::function<bool()>& holds, bool key) {
+    for (int n = 0; n < 2000; ++n) {
+      session.collectGarbage();
+      session.holdCut(key);
+      session.latest(snapshot);
+      std::array<haptics::BurrCut, 64> some;
+      while (const std::size_t count = session.cuts(some))
+        stroke.cuts.insert(stroke.cuts.end(), some.begin(),
+                           some.begin() + static_cast<std::ptrdiff_t>(count));
+      if (holds()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    }
+    return false;
+  }
+  /// Holds the key until there are so many cuts more.
+  bool cutsMore(std::size_t count) {
+    const std::size_t before = stroke.cuts.size();
+    return until([&] { return snapshot.can_cut && !snapshot.cuts; }, false) &&
+           until([&] { return snapshot.scene == stage.scene->id && snapshot.can_cut; }, false) &&
+           until([&] { return stroke.cuts.size() >= before + count; }, true);
+  }
+
+  static inline const haptics::Pose kAbove = at(0, 0, 0.03), kPressed = at(0, 0, 0.02);
+  Stage stage = stageOf("sphere", ballTool(400, 3e-3));
+  haptics::Session session;
+  std::shared_ptr<const haptics::Scene> touched;
+  Snapshot snapshot;
+  datasets::Stroke stroke;
+};
+
+TEST(Session, CutsWithWhatItWasGivenWhateverHandHasTheToolAndTellsEachCut) {
+  MillingMouse milling;
+  haptics::Session& session = milling.session;
+  session.pull(MillingMouse::kPressed);
+  ASSERT_TRUE(milling.cutsMore(50));
+  EXPECT_GT(milling.snapshot.burr_force, 0.0);
+  // brought elsewhere in what is cut already
+  session.bring(at(0, 0.006, 0.03), at(0, 0.006, 0.02));
+  ASSERT_TRUE(milling.cutsMore(50));
+  // and in another hand
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse, at(0.006, 0, 0.03)));
+  milling.snapshot = {};
+  session.pull(at(0.006, 0, 0.02));
+  ASSERT_TRUE(milling.cutsMore(50));
+  ASSERT_TRUE(milling.until([&] { return !milling.snapshot.cuts; }, false));
+  session.close();
+  milling.until([] { return true; }, false);
+  // the last cut may be under way: it is made whole here
+  const auto made =
+      datasets::edited(milling.stage.scene->volume, std::vector<datasets::Edit>{milling.stroke});
+  ASSERT_TRUE(made);
+  const haptics::Volume& left = *milling.touched->volume;
+  const std::size_t bytes = std::size_t(left.grid.voxelCount()) * haptics::sizeOf(left.type);
+  EXPECT_EQ(std::memcmp((*made)->voxels.get(), left.voxels.get(), bytes), 0);
+  EXPECT_NE(std::memcmp((*made)->voxels.get(), milling.stage.scene->volume->voxels.get(), bytes),
+            0);
+}
+
+TEST(Session, LetsNothingCutInAnotherScene) {
+  MillingMouse milling;
+  haptics::Session& session = milling.session;
+  ASSERT_TRUE(milling.until([&] { return milling.snapshot.can_cut; }, false));
+  const Stage other = stageOf("sphere", ballTool(400, 3e-3));
+  session.adopt(other.scene, MillingMouse::kAbove);
+  ASSERT_TRUE(milling.until([&] { return milling.snapshot.scene == other.scene->id; }, false));
+  EXPECT_FALSE(milling.snapshot.can_cut);
+  // what was made for the scene before comes too late
+  session.cut(std::make_unique<haptics::Cutting>(
+      haptics::CarvedScene::of(*milling.stage.scene).value(), haptics::CutLaw{}));
+  const std::uint64_t tick = milling.snapshot.tick;
+  ASSERT_TRUE(milling.until([&] { return milling.snapshot.tick > tick + 10; }, false));
+  EXPECT_FALSE(milling.snapshot.can_cut);
+  // and what is given before the scene is adopted waits for it
+  session.adopt(milling.stage.scene, MillingMouse::kAbove);
+  session.cut(std::make_unique<haptics::Cutting>(
+      haptics::CarvedScene::of(*milling.stage.scene).value(), haptics::CutLaw{}));
+  ASSERT_TRUE(milling.until([&] { return milling.snapshot.can_cut; }, false));
+  EXPECT_EQ(milling.snapshot.scene, milling.stage.scene->id);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::shared_ptr<const Volume> blobs(std::int64_t side, unsigned seed) {
 
 Edit randomEdit(const Grid& grid, Random& random) {
   const double half = 0.5 * double(grid.dims[0]) * h;
-  switch (random.below(6)) {
+  switch (random.below(7)) {
     case 0: {
       Crop crop;
       for (std::size_t a = 0; a < 3; ++a) {
@@ -94,6 +94,17 @@ Edit randomEdit(const Grid& grid, Random& random) {
       return RemovePiece{random.box(half), random.in(-200.0, 400.0)};
     case 4:
       return RemovePiece{random.box(half), random.in(600.0, 900.0)};
+    case 5: {
+      Stroke stroke;
+      const double radius = random.in(1.0, 6.0) * h, isovalue = random.in(-200.0, 400.0);
+      Vec3 at = random.box(half);
+      for (int n = random.below(30); n >= 0; --n) {
+        const Vec3 to = at + 0.5 * radius * random.direction();
+        stroke.cuts.push_back({at, to, radius, isovalue});
+        at = to;
+      }
+      return stroke;
+    }
     default:
       return RemoveSmallPieces{random.in(-200.0, 900.0), random.in(1.0, 200.0) * h * h * h};
   }

@@ -27,6 +27,17 @@ LassoCut triangle() {
   return cut;
 }
 
+/// Two ways, the second of them at two isovalues.
+Stroke stroke() {
+  const Vec3 a{0.1, 1.0 / 3.0, -0.2}, b = a + Vec3{1e-5, 0.0, 1.0 / 7e5}, c = b + Vec3{0, 1e-4, 0};
+  const Vec3 d{-0.1, 0.0, 0.0};
+  return {{{a, a, 2e-3, 300.0},
+           {a, b, 2e-3, 300.0},
+           {b, c, 2e-3, 300.0},
+           {d, d, 2e-3, 300.0},
+           {d, d, 2e-3, 301.5}}};
+}
+
 std::vector<Edit> oneOfEach() {
   return {Crop{{{0, 1, 2}, {3, 4, 500}}},
           PlaneCut{{0.1, -0.2, 1.0 / 7.0}, Vec3{1, 2, 3}.normalized(), -299.7},
@@ -34,7 +45,8 @@ std::vector<Edit> oneOfEach() {
           RemovePiece{{1e-3, 2e-3, -0.0}, 300.0},
           KeepPiece{{0.1, 0.2, 0.3}, -300.0},
           RemoveSmallPieces{128.5, 1e-8},
-          RemoveHolder{412.0}};
+          RemoveHolder{412.0},
+          stroke()};
 }
 
 TEST(EditText, ComesBackToTheBit) {
@@ -55,6 +67,7 @@ TEST(EditText, ComesBackToTheBit) {
   EXPECT_EQ(after.until, before.until);
   EXPECT_EQ(after.inside, before.inside);
   EXPECT_EQ(after.isovalue, before.isovalue);
+  EXPECT_EQ(std::get<Stroke>(editFrom(textOf(stroke())).value()).cuts, stroke().cuts);
   datasets::Random random{19};
   for (int n = 0; n < 1000; ++n) {
     const PlaneCut cut{random.box(1.0), random.direction(), random.in(-1000.0, 3000.0)};
@@ -74,6 +87,19 @@ TEST(EditText, OfMostCornersIsRead) {
   EXPECT_FALSE(editFrom(textOf(cut)));
 }
 
+TEST(EditText, OfMostCutsIsRead) {
+  Stroke longest;
+  for (std::size_t n = 0; n < kMostCuts; ++n) {
+    const Vec3 from{1e-6 * double(n), 1.0 / 3.0, -1.0 / 7.0};
+    longest.cuts.push_back({from, {1e-6 * double(n + 1), 1.0 / 3.0, -1.0 / 7.0}, 3e-3, 300.0});
+  }
+  const auto back = editFrom(textOf(longest));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(std::get<Stroke>(*back).cuts, longest.cuts);
+  longest.cuts.push_back(longest.cuts.back());
+  EXPECT_FALSE(editFrom(textOf(longest)));
+}
+
 /// The text with a part of it replaced.
 std::string with(std::string text, const std::string& part, const std::string& other) {
   const auto at = text.find(part);
@@ -84,7 +110,7 @@ std::string with(std::string text, const std::string& part, const std::string& o
 TEST(EditText, RefusesWhatIsNone) {
   const std::string crop = textOf(oneOfEach()[0]), plane = textOf(oneOfEach()[1]),
                     lasso = textOf(oneOfEach()[2]), small = textOf(oneOfEach()[5]),
-                    holder = textOf(oneOfEach()[6]);
+                    holder = textOf(oneOfEach()[6]), cuts = textOf(stroke());
   std::vector<std::string> wrong{
       "",
       "null",
@@ -115,7 +141,14 @@ TEST(EditText, RefusesWhatIsNone) {
       with(lasso, "\"camera\":[", "\"camera\":[0.0,"),
       with(lasso, "\"outline\":[0.1,", "\"outline\":["),      // an odd number
       with(lasso, "\"outline\":[0.1,0.2,", "\"outline\":["),  // two corners
-      std::string(2 << 20, ' ') + holder,
+      std::string((16 << 20) + 1, ' ') + holder,
+      with(cuts, "\"radius_m\":0.002", "\"radius_m\":0.0"),
+      with(cuts, "\"radius_m\":0.002", "\"radius_m\":0.06"),
+      with(cuts, "\"radius_m\":0.002", "\"radius_m\":9e-05"),  // it would leave gaps
+      with(cuts, "\"places_m\":[", "\"places_m\":[0.1,"),
+      with(cuts, ",\"radius_m\":0.002", ""),
+      "{\"edit\":\"stroke\",\"ways\":[]}",
+      "{\"edit\":\"stroke\",\"ways\":[{\"isovalue\":1.0,\"places_m\":[0.1,0.1,0.1],\"radius_m\":0.1}]}",
   };
   PlaneCut slanted = std::get<PlaneCut>(oneOfEach()[1]);
   slanted.normal_W *= 1.01;
