@@ -7,8 +7,10 @@
 #include <QUrl>
 #include <utility>
 
+#include "app/recording/cut_words.h"
 #include "app/recording/felt_words.h"
 #include "app/window/device/device_controller.h"
+#include "app/window/edits/cut_controller.h"
 #include "app/window/edits/edit_controller.h"
 #include "app/window/edits/surface_controller.h"
 #include "app/window/opening/opening_controller.h"
@@ -68,6 +70,7 @@ class Application::Parts : public QObject {
   HandController hand;
   EditController edit{window, shared};
   ToolController tool{hand.panel(), window.panels(), shared};
+  CutController cut{window, shared};
   GreyKeeper grey{window.views().slices(), shared};
   PictureController picture{window.views(), window.touch(), shared};
   DeviceController device;
@@ -232,6 +235,7 @@ void Application::Parts::showScene(bool new_volume) {
   recording.setReady(!shared.replaying);
   replay.showScene();
   edit.showScene();
+  cut.showScene(edit.edits());
   hand.resume();  // after the panels: a hand that cannot be opened has the last word
   device.openWaiting();
   screenshot.prepare(new_volume);
@@ -269,12 +273,14 @@ void Application::Parts::openReplay() {
   device.forget(Application::tr("A recording was opened: the device was disconnected."));
   recording.setReady(false);
   edit.setReplaying(true);
+  cut.setReplaying(true);
 }
 
 void Application::Parts::closeReplay() {
   recording.setReady(shared.shown.has_value());
   hand.reopen();
   edit.setReplaying(false);
+  cut.setReplaying(false);
   walls.showScene();
 }
 
@@ -354,7 +360,11 @@ void Application::Parts::wireOpening() {
   connect(&opening, &Opening::placesForgotten, &journal, &JournalController::forget);
   connect(&tool, &ToolController::wanted, &opening, &Opening::load);
   connect(&edit, &EditController::edited, &opening, &Opening::replace);
+  connect(&edit, &EditController::renewed, &opening, &Opening::renew);
   connect(&edit, &EditController::pictured, &opening, &Opening::replacePicture);
+  connect(&opening, &Opening::pictureReplaced, &cut, [this](bool seen) {
+    if (!seen) cut.showLive();
+  });
   connect(
       &pacs, &PacsController::openWanted, &opening,
       [this](const QString& folder, const QString& name) { opening.open(folder, {.name = name}); });
@@ -381,6 +391,17 @@ void Application::Parts::wireTouch() {
   connect(&edit, &EditController::liftWanted, &view, &ViewController::liftTool);
   connect(&hand, &HandController::changed, &edit,
           [this] { edit.setDeviceHeld(hand.holdsDevice()); });
+  using Cut = CutController;
+  connect(&cut, &Cut::toolWanted, &tool,
+          [this](const QString& name) { tool.changeTool({.name = name.toStdString()}); });
+  connect(&cut, &Cut::strokeMade, &edit, &EditController::addStroke);
+  connect(&cut, &Cut::freshWanted, &edit, &EditController::renew);
+  connect(&cut, &Cut::undoWanted, &edit, &EditController::undo);
+  connect(&cut, &Cut::redoWanted, &edit, &EditController::redo);
+  connect(&edit, &EditController::stepsChanged, &cut, &Cut::setSteps);
+  connect(&cut, &Cut::lawChosen, &recording, [this](const QString& words, double scene) {
+    recording.note(kCutLawEvent, words, scene);
+  });
   connect(&edit, &EditController::noted, &recording,
           [this](const QString& what) { recording.note("edit", what); });
 }
@@ -397,6 +418,7 @@ void Application::Parts::wireDevice() {
 }
 
 void Application::Parts::wireSessions() {
+  recording.setUncut([this](const std::function<void()>& then) { cut.whenUncut(then); });
   recording.setScans([this] { return namesOf(preferences.present().place_hashes); });
   connect(&recording, &RecordingController::openWanted, &replay, &ReplayController::open);
   connect(&recording, &RecordingController::exportWanted, &exporting,
@@ -415,6 +437,7 @@ void Application::Parts::wireSessions() {
     noteHand(QString::fromStdString(hand.name()));
     // with a value: since the beginning
     if (!structures.felt().isEmpty()) recording.note(kFeltEvent, structures.felt(), 1.0);
+    cut.tellLaw();
   });
   connect(&structures, &StructuresController::feltChanged, &recording,
           [this](const QString& felt) { recording.note(kFeltEvent, felt); });
@@ -431,6 +454,7 @@ void Application::Parts::wireViews() {
     recording.refresh();
     device.refresh();
     edit.refresh();
+    cut.refresh();
     marks.refresh();
     structures.refresh();
   });

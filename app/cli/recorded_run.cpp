@@ -61,7 +61,7 @@ Expected<std::unique_ptr<RecordedRun>> RecordedRun::begin(const std::string& pat
   (*recorder)->describe(loop.scene, std::move(tool));
   if (const auto hash = hashHere(*loop.scene->volume)) (*recorder)->identify(id, *hash);
   if (loop.watch && loop.watch->isFelt()) (*recorder)->note(kFeltEvent, wordsOf(*loop.watch), 1.0);
-  if (loop.cut) (*recorder)->note(kCutLawEvent, wordsOf(*loop.cut), 1.0);
+  if (loop.cut) (*recorder)->note(kCutLawEvent, wordsOf(*loop.cut), double(id));
   loop.on_start = [&ring = (*recorder)->ring(), id, limits = loop.limits,
                    rate = loop.rate](const haptics::Pose& X) {
     ring.start({.scene = id, .X_WP = X, .limits = limits, .safety = {}, .rate = rate});

@@ -8,9 +8,7 @@
 #include "haptics/core/voxel_memory.h"
 
 namespace haptics {
-namespace {
 
-/// A private view with the voxels of a volume: pages that are the scan's cost nothing.
 Expected<std::shared_ptr<void>> viewLike(const Volume& volume) {
   if (!volume.memory)
     return tl::unexpected(
@@ -28,8 +26,6 @@ Expected<std::shared_ptr<void>> viewLike(const Volume& volume) {
   }
   return view;
 }
-
-}  // namespace
 
 Expected<std::unique_ptr<CarvedScene>> CarvedScene::of(const Scene& scene) {
   auto view = viewLike(*scene.volume);

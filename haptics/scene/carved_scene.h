@@ -14,6 +14,10 @@
 
 namespace haptics {
 
+/// A private view with the voxels of a volume: pages that are the scan's cost nothing. Refuses a
+/// volume without a memory object, reason "not-editable".
+Expected<std::shared_ptr<void>> viewLike(const Volume& volume);
+
 /// A scene whose voxels are lowered while it is touched: the one exception to the rule that a scene
 /// is immutable. It has a private view of the scan and bounds of its own; nobody else sees them.
 ///

@@ -38,12 +38,12 @@ MaxPyramid pyramidOf(const std::shared_ptr<const Volume>& volume, const SceneOpt
   return {previous->field.pyramid(), *volume, edit->changed, options.field, options.cancel};
 }
 
-}  // namespace
-
 std::uint64_t newSceneId() {
   static std::atomic<std::uint64_t> last_id{0};
   return ++last_id;
 }
+
+}  // namespace
 
 Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> volume, Tool tool,
                                                  const SceneOptions& options,
@@ -89,9 +89,9 @@ Expected<std::shared_ptr<const Scene>> makeScene(std::shared_ptr<const Volume> v
   plan.central_differences = plan.central_differences && options.normal != NormalKind::Central;
   PlanLines planned = linesOf(plan, options, *volume, tree);
   return std::make_shared<const Scene>(
-      Scene{newSceneId(), std::move(volume), std::move(tool), std::move(tree), field, *field,
-            metric, lengths, options.normal, std::move(structures), plan, std::move(planned),
-            options.fineness, std::move(scan_field)});
+      Scene{options.id != 0 ? options.id : newSceneId(), std::move(volume), std::move(tool),
+            std::move(tree), field, *field, metric, lengths, options.normal, std::move(structures),
+            plan, std::move(planned), options.fineness, std::move(scan_field)});
 }
 
 }  // namespace haptics

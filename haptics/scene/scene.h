@@ -36,6 +36,9 @@ struct SceneOptions {
   Fineness fineness = {};
   /// If another thread sets it to true, makeScene() ends with Error::Kind::Cancelled. May be null.
   const std::atomic<bool>* cancel = nullptr;
+  /// Of a scene that has come about by cuts, which the volume has: it has that scene's id. 0: the
+  /// scene is a new one.
+  std::uint64_t id = 0;
 };
 
 /// A structure built for a scene: its memory and its build time.
@@ -49,7 +52,8 @@ struct Structure {
 /// cuts, which only its servo thread has (scene/carved_scene.h). A new scene is built while the old
 /// one is in use, and then replaces it. The isovalue is not part of the scene.
 struct Scene {
-  std::uint64_t id = 0;  ///< unique in the process, from 1
+  /// From 1, unique in the process, but for the same scene with what was cut in it.
+  std::uint64_t id = 0;
   std::shared_ptr<const Volume> volume;
   Tool tool;
   ShellTree tree;  ///< over the tool's shell
@@ -71,9 +75,6 @@ struct Scene {
 /// The plan in words, with the reasons that this volume, tool and choice give it.
 PlanLines linesOf(const Plan& plan, const SceneOptions& options, const Volume& volume,
                   const ShellTree& tree);
-
-/// Unique in the process, from 1.
-std::uint64_t newSceneId();
 
 /// Builds a scene. It takes tens to hundreds of milliseconds, so do not call it on the GUI or servo
 /// thread. The field of `previous` is reused if volume and kind are the same, and its scan_field if

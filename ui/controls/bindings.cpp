@@ -172,6 +172,8 @@ std::vector<Binding> allBindings() {
       held(Space, Key_C, WORDS("clutch; released when the view loses the focus"), Clutch, "clutch"),
       held(Space, Key_H, WORDS("hold-to-run; released when the view loses the focus"), HoldToRun,
            "hold_to_run"),
+      held(Space, Key_X, WORDS("turns the burr, which cuts what it is pressed against"), Cut,
+           "cut"),
 
       key(Slice, Key_Up, WORDS("next slice: towards S, P or L, with the tool deeper"), NextSlice,
           "next_slice"),

@@ -129,7 +129,8 @@ enum class Action {
   // the force
   ForceOff,
   Clutch,
-  HoldToRun
+  HoldToRun,
+  Cut
 };
 
 /// One thing that a key or the mouse does. Views look up what to do here, menus take their keys

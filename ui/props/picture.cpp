@@ -373,6 +373,8 @@ Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const Picture& 
   return pictureWith(std::move(volume), std::move(reduced));
 }
 
+int vtkTypeOf(haptics::ScalarType type) { return emptyArray(type)->GetDataType(); }
+
 vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored) {
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(image);

@@ -58,6 +58,9 @@ Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const Picture& 
 /// is not applied, since rows of a box do not follow one another.
 vtkSmartPointer<vtkImageData> imageOf(const haptics::Volume& volume);
 
+/// VTK's number of a type.
+int vtkTypeOf(haptics::ScalarType type);
+
 /// The voxels that exist (Volume::bounds), averaged over the smallest cubes that leave at most
 /// `most_voxels`, with a rim of background so that cut faces are closed. If `cancel` becomes true
 /// meanwhile, the result is incomplete.

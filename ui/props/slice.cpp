@@ -50,10 +50,20 @@ Slice::~Slice() = default;
 void Slice::show(const Picture& picture) {
   // the grid's frame has no direction of its own; where it lies in W is in the reslice axes,
   // which may mirror
+  live_ = nullptr;
   reslice_->SetInputData(picture.image);
   reslice_->SetBackgroundLevel(picture.volume->least);
   volume_ = picture.volume;
   X_LW_mm_ = picture.X_WL_mm.inverse();
+}
+
+void Slice::showLive(const haptics::Volume& voxels) {
+  live_ = imageOf(voxels);
+  reslice_->SetInputData(live_);
+}
+
+void Slice::carve() {
+  if (live_ != nullptr) live_->Modified();
 }
 
 Slice::Span Slice::spanOf(const Eigen::Vector3d& first_V, const Eigen::Vector3d& step_V) const {

@@ -48,6 +48,11 @@ class Slice {
   ~Slice();
 
   void show(const Picture& picture);
+  /// Cuts these voxels of the same grid, which change from now on, as carve() says.
+  void showLive(const haptics::Volume& voxels);
+  void carve();
+  /// The volume is this one now; its voxels are cut already.
+  void renew(std::shared_ptr<const haptics::Volume> volume) { volume_ = std::move(volume); }
   bool empty() const { return volume_ == nullptr; }
 
   /// Cuts size.width() x size.height() pixels, each mm_per_pixel across, whose middle is
@@ -74,6 +79,9 @@ class Slice {
   float kept(const Eigen::Vector3d& u) const;
 
   vtkSmartPointer<vtkImageReslice> reslice_;
+  /// Voxels that change; null: none do. Of its own, since what is marked as changed is uploaded
+  /// anew as a whole by whoever else has it.
+  vtkSmartPointer<vtkImageData> live_;
   std::shared_ptr<const haptics::Volume> volume_;
   Eigen::Affine3d X_LW_mm_ = Eigen::Affine3d::Identity();
   Interpolation interpolation_ = Interpolation::Linear;

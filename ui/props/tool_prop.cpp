@@ -72,6 +72,14 @@ ToolProp::ToolProp()
 
 ToolProp::~ToolProp() = default;
 
+bool ToolProp::setTurning(bool turning) {
+  if (turning == turning_) return false;
+  turning_ = turning;
+  const auto& colour = turning ? style::kTurning : style::kProxy;
+  proxy_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  return true;
+}
+
 void ToolProp::show(const haptics::TriangleMesh& mesh) {
   auto data = polyDataOf(mesh);
   vtkNew<vtkPolyDataNormals> normals;

@@ -27,6 +27,9 @@ class ToolProp {
   /// Sets the poses. Returns true if the tool has moved visibly.
   bool move(const haptics::Pose& X_WP, const haptics::Pose& X_WD);
 
+  /// Its burr turns: the tool has a colour of its own. Returns true if that is new.
+  bool setTurning(bool turning);
+
   vtkActor* proxy() const;
   vtkActor* device() const;
 
@@ -37,6 +40,7 @@ class ToolProp {
   vtkSmartPointer<vtkActor> device_;
   bool shown_ = false;
   bool only_apart_ = false;
+  bool turning_ = false;
   double radius_ = 0.0;  ///< m, of the tool about its origin
   haptics::Pose X_WP_ = haptics::Pose::Identity();
   haptics::Pose X_WD_ = haptics::Pose::Identity();

@@ -167,7 +167,7 @@ VolumeProp::VolumeProp()
   mesh_->SetMapper(mesh_mapper_);
   second_->SetMapper(second_mapper_);
   second_mapper_->ScalarVisibilityOff();
-  for (vtkActor* actor : {mesh_.Get(), second_.Get()}) {
+  for (vtkActor* actor : {mesh_.Get(), second_.Get(), carved_.actor()}) {
     actor->GetProperty()->SetAmbient(kAmbient);
     actor->GetProperty()->SetDiffuse(kDiffuse);
     actor->GetProperty()->SetSpecular(kSpecular);
@@ -194,6 +194,8 @@ void VolumeProp::show(const Picture& picture) {
   volume_->SetUserMatrix(X_WL);
   mesh_->SetUserMatrix(X_WL);
   second_->SetUserMatrix(X_WL);
+  carved_.actor()->SetUserMatrix(X_WL);
+  carved_.end();
   crop();
   colourAll();
   setMode(mode_);
@@ -205,7 +207,20 @@ void VolumeProp::replace(const Picture& picture) {
   fine_mesh_ = nullptr;
   second_reduced_ = {};
   caster_->SetInputData(picture.image);
+  carved_.end();
   crop();
+}
+
+void VolumeProp::showLive(const haptics::Volume& voxels,
+                          std::shared_ptr<const haptics::Volume> scan) {
+  carved_.begin(voxels, std::move(scan));
+  caster_->SetInputData(imageOf(voxels));
+}
+
+void VolumeProp::renew(const Picture& picture) {
+  picture_ = picture;
+  reduced_ = {};
+  second_reduced_ = {};
 }
 
 void VolumeProp::crop() {
@@ -307,13 +322,19 @@ void VolumeProp::update() {
     secondReduced();
     second_mapper_->SetInputData(moving_ ? lightOf(second_reduced_) : second_reduced_.whole.Get());
   }
-  if (mode_ != SurfaceMode::Mesh || picture_.volume == nullptr) return;
-  if (fine_mesh_ != nullptr && !moving_) {
-    mesh_mapper_->SetInputData(fine_mesh_);
+  const bool meshed = mode_ == SurfaceMode::Mesh && picture_.volume != nullptr;
+  carved_.actor()->SetVisibility(meshed && !carved_.isEmpty());
+  if (!meshed) {
+    carved_.upload(*caster_);
     return;
   }
-  reducedMesh();
-  mesh_mapper_->SetInputData(moving_ ? lightOf(reduced_) : reduced_.whole.Get());
+  vtkPolyData* mesh = fine_mesh_;
+  if (mesh == nullptr || moving_) {
+    mesh = reducedMesh();
+    if (moving_) mesh = lightOf(reduced_);
+  }
+  carved_.contour(isovalue_, picture_.mirrored(), colouring_.at(isovalue_));
+  mesh_mapper_->SetInputData(carved_.beside(mesh));
 }
 
 void VolumeProp::cull(vtkCamera* camera) {
@@ -326,7 +347,7 @@ void VolumeProp::cull(vtkCamera* camera) {
     return nearest > camera->GetClippingRange()[0];
   };
   // the fine mesh may be open at the faces of the volume
-  const bool closed = mesh_mapper_->GetInput() != fine_mesh_.Get();
+  const bool closed = carved_.isEmpty() && mesh_mapper_->GetInput() != fine_mesh_.Get();
   if (mesh_->GetVisibility()) mesh_->GetProperty()->SetBackfaceCulling(closed && isBeyond(mesh_));
   if (second_->GetVisibility()) second_->GetProperty()->SetBackfaceCulling(isBeyond(second_));
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ui/props/carved_part.h"
 #include "ui/props/colouring.h"
 #include "ui/props/picture.h"
 #include "ui/props/surface_choice.h"
@@ -58,6 +59,13 @@ class VolumeProp {
   void setBudget(std::optional<std::int64_t> triangles);
   /// Shows a mesh of L in full detail. Ignored if the isovalue has changed meanwhile.
   void showFine(vtkPolyData* mesh, double isovalue);
+  /// Shows these voxels, which are those of the picture's volume and change from now on, as
+  /// carved() is told. `scan`: what they were before any cut. Until the next show() or replace().
+  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan);
+  /// The part that changes.
+  CarvedPart& carved() { return carved_; }
+  /// The picture is this one now, whose voxels are those on view.
+  void renew(const Picture& picture);
   /// Finds the ray's hit by bisection between samples (on) or takes the sample after it (off).
   void setHitRefinement(bool on);
   /// The box of W that the surface fills, mm; the volume's if there is no surface.
@@ -96,6 +104,7 @@ class VolumeProp {
   vtkSmartPointer<vtkActor> second_;
   vtkSmartPointer<vtkPolyDataMapper> second_mapper_;
   Reduced second_reduced_;
+  CarvedPart carved_;
   std::optional<std::int64_t> budget_;
   std::optional<double> second_value_;
   Colouring colouring_;

@@ -45,8 +45,10 @@ inline constexpr QColor kHandleRim{12, 13, 17}, kHeldHandle{255, 255, 255};
 
 /// A colour of VTK: red, green and blue from 0 to 1.
 using Rgb = std::array<double, 3>;
-inline constexpr Rgb kProxy{0.33, 0.52, 0.78};   ///< blue steel
-inline constexpr Rgb kDevice{1.00, 0.35, 0.10};  ///< orange
+inline constexpr Rgb kProxy{0.33, 0.52, 0.78};    ///< blue steel
+inline constexpr Rgb kTurning{1.00, 0.62, 0.10};  ///< amber: its burr turns
+inline constexpr Rgb kCutFace{0.93, 0.56, 0.47};  ///< coral, against bone
+inline constexpr Rgb kDevice{1.00, 0.35, 0.10};   ///< orange
 inline constexpr Rgb kFilmLetter{1.0, 0.85, 0.2};
 inline constexpr Rgb kIvory{0.93, 0.88, 0.78};
 inline constexpr Rgb kAirway{0.86, 0.63, 0.60};

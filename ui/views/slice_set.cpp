@@ -362,6 +362,19 @@ void SliceSet::replace(const Picture& picture) {
   for (SliceView* slice : slices_) slice->replace(picture);
 }
 
+void SliceSet::showLive(const haptics::Volume& voxels) {
+  for (SliceView* slice : slices_) slice->showLive(voxels);
+}
+
+void SliceSet::carve() {
+  for (SliceView* slice : slices_) slice->carve();
+}
+
+void SliceSet::renew(std::shared_ptr<const haptics::Volume> volume) {
+  volume_ = std::move(volume);
+  for (SliceView* slice : slices_) slice->renew(volume_);
+}
+
 void SliceSet::show(const haptics::TriangleMesh& tool) {
   const auto mesh = std::make_shared<const haptics::TriangleMesh>(tool);
   tip_T_ = tipOf(tool);

@@ -42,6 +42,11 @@ class SliceSet : public QObject {
   void show(const Picture& picture, double isovalue, const std::vector<GreyPreset>& stated = {});
   /// Shows other voxels on the same grid; crosshair, zoom and grey stay.
   void replace(const Picture& picture);
+  /// Shows these voxels of the same grid, which change from now on, as carve() says.
+  void showLive(const haptics::Volume& voxels);
+  void carve();
+  /// The volume is this one now; its voxels are on view already.
+  void renew(std::shared_ptr<const haptics::Volume> volume);
   void show(const haptics::TriangleMesh& tool);
   void setTouched(const TouchedSurface& touched);
   void addOverlay(Overlay& overlay);

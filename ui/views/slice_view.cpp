@@ -126,6 +126,19 @@ void SliceView::show(const Picture& picture) {
 
 void SliceView::replace(const Picture& picture) { take(picture); }
 
+void SliceView::showLive(const haptics::Volume& voxels) { slice_.showLive(voxels); }
+
+void SliceView::carve() {
+  slice_.carve();
+  changed();
+}
+
+void SliceView::renew(std::shared_ptr<const haptics::Volume> volume) {
+  volume_ = std::move(volume);
+  slice_.renew(volume_);
+  changed();
+}
+
 void SliceView::changed() {
   stale_ = true;
   contour_stale_ = true;

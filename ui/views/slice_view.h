@@ -52,6 +52,10 @@ class SliceView : public QWidget, public Spoken {
   using QWidget::show;
   /// Shows other voxels on the same grid: what is on view stays.
   void replace(const Picture& picture);
+  /// As SliceSet's.
+  void showLive(const haptics::Volume& voxels);
+  void carve();
+  void renew(std::shared_ptr<const haptics::Volume> volume);
   /// The tool, in its own frame; null: none.
   void setMesh(std::shared_ptr<const haptics::TriangleMesh> mesh);
   void setCross(const Eigen::Vector3d& cross_W_mm);

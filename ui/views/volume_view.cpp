@@ -123,6 +123,7 @@ VolumeView::VolumeView(QWidget* parent)
   veil_->setOpacity(kFirstOpacity);
   surface_layer_->AddVolume(surface_.rayCast());
   surface_layer_->AddActor(surface_.mesh());
+  surface_layer_->AddActor(surface_.carved().actor());
   veil_layer_->AddActor(surface_.secondMesh());
   veil_layer_->DrawOff();
   overlay_layer_->AddActor(tool_.device());
@@ -158,6 +159,28 @@ void VolumeView::replace(const Picture& picture) {
   box_mm_ = boxOf_mm(*picture.volume);
   surface_.replace(picture);
   still_.start();
+  redrawSurface();
+}
+
+void VolumeView::showLive(const haptics::Volume& voxels,
+                          std::shared_ptr<const haptics::Volume> scan) {
+  surface_.showLive(voxels, std::move(scan));
+  redrawSurface();
+}
+
+void VolumeView::carve(const haptics::VoxelBox& box) {
+  surface_.carved().add(box);
+  redrawSurface();
+}
+
+void VolumeView::renew(const Picture& picture) {
+  surface_.renew(picture);
+  still_.start();
+  redrawSurface();
+}
+
+void VolumeView::setTint(bool on) {
+  surface_.carved().setTint(on);
   redrawSurface();
 }
 
@@ -238,6 +261,7 @@ void VolumeView::display(const haptics::Snapshot& snapshot) {
     if (contacts_shown_ && touched) update();
   }
   displayed_ = true;
+  if (tool_.setTurning(snapshot.cuts)) redraw();
   if (tool_.move(snapshot.X_WP, snapshot.X_WD)) redraw();
 }
 

@@ -46,6 +46,12 @@ class VolumeView : public Viewport, public Spoken {
   void setSurfaceWish(std::optional<SurfaceMode> wish);
   /// Shows other voxels of the same grid; camera, mode and isovalues stay.
   void replace(const Picture& picture);
+  /// As VolumeProp's.
+  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan);
+  void carve(const haptics::VoxelBox& box);
+  void renew(const Picture& picture);
+  /// Whether faces that were cut have a colour of their own, where the surface is a mesh.
+  void setTint(bool on);
   /// What is on view; its volume is null before the first.
   const Picture& picture() const { return surface_.picture(); }
   void display(const haptics::Snapshot& snapshot);
@@ -136,6 +142,7 @@ class VolumeView : public Viewport, public Spoken {
   void parallelChanged(bool parallel);
   void clutchHeld(bool held);
   void forceHeld(bool held);
+  void cutHeld(bool held);
   /// The pose to which the mouse pulls the tool, W.
   void handPulled(const haptics::Pose& X_WH);
   void surfaceChosen(const ui::SurfaceChoice& choice);
@@ -181,7 +188,7 @@ class VolumeView : public Viewport, public Spoken {
   std::optional<SurfacePlace> surfaceUnder(QPointF at) const;
   /// Does what a key means here; false: nothing.
   bool perform(const Binding& meaning);
-  /// Where the key of the clutch or of hold-to-run is held: its scan code; 0: nowhere, or unknown.
+  /// Where the key of clutch, hold-to-run or burr is held: its scan code; 0: nowhere, or unknown.
   quint32& heldPlace(Action action);
   void hold(Action action, bool on, quint32 place);
   void dragBy(QPointF by, Qt::KeyboardModifiers modifiers);
@@ -244,7 +251,7 @@ class VolumeView : public Viewport, public Spoken {
   MouseMode mode_ = MouseMode::Look;
   MouseChoices mouse_;
   std::optional<Grasp> grasp_;
-  std::array<quint32, 2> held_places_{};  ///< heldPlace()
+  std::array<quint32, 3> held_places_{};  ///< heldPlace()
   std::optional<haptics::Pose> hand_target_;
   QPointF last_mouse_, press_;
   QTimer still_{this};

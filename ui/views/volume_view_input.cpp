@@ -56,6 +56,8 @@ bool isWithin(QPointF p, QPointF a, QPointF b, QPointF c) {
   return (x >= 0.0 && y >= 0.0 && z >= 0.0) || (x <= 0.0 && y <= 0.0 && z <= 0.0);
 }
 
+constexpr std::array kHeld{Action::Clutch, Action::HoldToRun, Action::Cut};
+
 }  // namespace
 
 void VolumeView::setMouseHand(bool on) {
@@ -393,7 +395,7 @@ void VolumeView::keyReleaseEvent(QKeyEvent* event) {
   // a letter that could be any: what is in doubt is let go
   const bool unknown = place == 0 && latinKey(alone) >= 0x80 && latinKey(alone) < Qt::Key_Escape;
   bool released = false;
-  for (const Action action : {Action::Clutch, Action::HoldToRun}) {
+  for (const Action action : kHeld) {
     const quint32 at = heldPlace(action);
     const bool of_key = held != nullptr && held->action == action;
     if (!of_key && !unknown && (at == 0 || at != place)) continue;
@@ -404,15 +406,18 @@ void VolumeView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 quint32& VolumeView::heldPlace(Action action) {
-  return held_places_[action == Action::Clutch ? 0 : 1];
+  return held_places_.at(
+      static_cast<std::size_t>(std::ranges::find(kHeld, action) - kHeld.begin()));
 }
 
 void VolumeView::hold(Action action, bool on, quint32 place) {
   heldPlace(action) = place;
   if (action == Action::Clutch)
     emit clutchHeld(on);
-  else
+  else if (action == Action::HoldToRun)
     emit forceHeld(on);
+  else
+    emit cutHeld(on);
 }
 
 void VolumeView::leaveEvent(QEvent* event) {
@@ -423,7 +428,7 @@ void VolumeView::leaveEvent(QEvent* event) {
 
 void VolumeView::focusOutEvent(QFocusEvent* event) {
   // the release would go elsewhere
-  for (const Action action : {Action::Clutch, Action::HoldToRun}) hold(action, false, 0);
+  for (const Action action : kHeld) hold(action, false, 0);
   Viewport::focusOutEvent(event);
 }
 

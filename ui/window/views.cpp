@@ -84,6 +84,21 @@ void Views::show(const haptics::TriangleMesh& tool) {
   slices_->show(tool);
 }
 
+void Views::showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan) {
+  volume_->showLive(voxels, std::move(scan));
+  slices_->showLive(voxels);
+}
+
+void Views::carve(const haptics::VoxelBox& box) {
+  volume_->carve(box);
+  slices_->carve();
+}
+
+void Views::renew(const Picture& picture) {
+  volume_->renew(picture);
+  slices_->renew(picture.volume);
+}
+
 void Views::replace(const Picture& picture) {
   volume_->replace(picture);
   slices_->replace(picture);

@@ -48,6 +48,12 @@ class Views : public QObject {
   void show(const haptics::TriangleMesh& tool);
   /// Shows other voxels of the same grid; camera, crosshair and grey window stay.
   void replace(const Picture& picture);
+  /// Shows these voxels, which are those of the volume on view and change from now on: carve() says
+  /// where. `scan`: what they were before any cut. Until the next show() or replace().
+  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan);
+  void carve(const haptics::VoxelBox& box);
+  /// The volume on view is this one now, whose voxels are on view already.
+  void renew(const Picture& picture);
   /// The isovalue of surface and contour, without asking for it to be touched.
   void setIsovalue(double isovalue);
   /// The surface that is touched; given with every scene.

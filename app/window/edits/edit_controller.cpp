@@ -95,6 +95,7 @@ EditController::EditController(ui::MainWindow& window, SharedState& shared)
 
 void EditController::connectJobs() {
   connect(&jobs_, &EditQueue::edited, this, &EditController::edited);
+  connect(&jobs_, &EditQueue::renewed, this, &EditController::renewed);
   connect(&jobs_, &EditQueue::pictured, this, &EditController::pictured);
   connect(&jobs_, &EditQueue::noted, this, &EditController::noted);
   connect(&jobs_, &EditQueue::waitChanged, this, &EditController::showWait);
@@ -236,6 +237,11 @@ std::vector<Edit> EditController::edits() const {
 
 void EditController::restore(std::vector<Edit> edits) { want({Step::Restore, std::move(edits)}); }
 
+void EditController::addStroke(const datasets::Stroke& stroke, std::uint64_t scene) {
+  // what was cut stays cut, also where a replay has begun meanwhile
+  if (shared_.shown) jobs_.want({Step::Apply, {stroke}, scene});
+}
+
 void EditController::apply(Edit edit) {
   endPreview();
   want({Step::Apply, {std::move(edit)}});
@@ -257,6 +263,7 @@ void EditController::showSteps() {
   panel_->show(steps);
   undo_->setEnabled(steps.undo && !replaying_);
   redo_->setEnabled(steps.redo && !replaying_);
+  emit stepsChanged(steps.undo && !replaying_, steps.redo && !replaying_);
   reset_->setEnabled(in_force > 0 && !replaying_);
   for (QAction* tool : tools_) tool->setEnabled(shared_.shown.has_value() && !replaying_);
   window_.setEdited(in_force > 0);

@@ -54,6 +54,14 @@ class EditController : public QObject {
   /// Applies these edits to the present scan, instead of its edits. They cannot be undone beyond
   /// the first of them. On an error the present ones stay.
   void restore(std::vector<datasets::Edit> edits);
+  /// A stroke that was made in the scene with this id, and is felt already where that is the
+  /// present one.
+  void addStroke(const datasets::Stroke& stroke, std::uint64_t scene);
+  /// Takes the last edit back, or makes it again.
+  void undo() { want({EditQueue::Step::Undo}); }
+  void redo() { want({EditQueue::Step::Redo}); }
+  /// Makes a new scene of the present volume.
+  void renew() { want({EditQueue::Step::Renew}); }
   /// Whether an edit is under way or waits, or its picture is not there yet.
   bool isBusy() const { return jobs_.isBusy(); }
   /// Whether an edited volume is being written.
@@ -64,8 +72,12 @@ class EditController : public QObject {
   /// A new volume and scene of the same scan. The receiver puts it into `shared.shown`. Its picture
   /// is still that from before.
   void edited(const app::Loaded& loaded);
-  /// The picture of the newest volume.
-  void pictured(const ui::Picture& picture);
+  /// The same scene with a stroke that it has already. The receiver puts it into `shared.shown`.
+  void renewed(const app::Loaded& loaded);
+  /// The picture of the newest volume. `seen`: its voxels are on view already.
+  void pictured(const ui::Picture& picture, bool seen);
+  /// Whether there is something to take back, or to make again.
+  void stepsChanged(bool undo, bool redo);
   /// An edited volume was written, or not. `what`: why not, for the user; empty: cancelled.
   void saved(bool well, const QString& what);
   /// What was done, for a recording: the edit as text, or "undo", "redo", "reset", "restore".

@@ -55,6 +55,7 @@ void EditQueue::cancel() {
 }
 
 bool EditQueue::raises(const Job& job) const {
+  if (job.step == Step::Renew) return false;
   if (job.step != Step::Apply) return true;
   const auto* crop = std::get_if<datasets::Crop>(&job.edits.front());
   if (crop == nullptr) return false;
@@ -131,7 +132,7 @@ void EditQueue::start(const Job& job) {
   if (!history_) history_ = std::make_shared<datasets::EditHistory>(scan_);
   loading_.begin(tr("Editing"));
   task_.start(
-      [history = history_, job, shown = *shared_.shown, options = shared_.options,
+      [history = history_, job, shown = *shared_.shown, options = optionsOf(job),
        isovalue = shared_.settings.isovalue](const Watch& watch) {
         return worked(history, job, shown, options, isovalue, watch);
       },
@@ -147,6 +148,12 @@ void EditQueue::rollBack(datasets::EditHistory& history, Step step) {
     while (history.canRedo() && history.redo()) {
     }
   }  // a list of edits had a history of its own
+}
+
+haptics::SceneOptions EditQueue::optionsOf(const Job& job) const {
+  haptics::SceneOptions options = shared_.options;
+  if (job.felt_in == shared_.shown->scene->id) options.id = job.felt_in;
+  return options;
 }
 
 haptics::Expected<EditQueue::Made> EditQueue::worked(std::shared_ptr<datasets::EditHistory> history,
@@ -167,6 +174,8 @@ haptics::Expected<EditQueue::Made> EditQueue::worked(std::shared_ptr<datasets::E
       break;
     case Step::Reset:
       volume = history->reset(edit_watch);
+      break;
+    case Step::Renew:
       break;
     case Step::Apply:
     case Step::Restore:
@@ -227,7 +236,7 @@ void EditQueue::adopt() {
     again.history = held_->history;
     held_.reset();
     task_.start(
-        [again, step = running_->step, shown = *shared_.shown, options = shared_.options,
+        [again, step = running_->step, shown = *shared_.shown, options = optionsOf(*running_),
          isovalue = shared_.settings.isovalue](const Watch& watch) -> haptics::Expected<Made> {
           Made made = again;
           if (auto ready = built(made, shown, options, isovalue, watch); !ready) {
@@ -250,18 +259,28 @@ void EditQueue::adopt() {
   loaded.seen.reset();  // walls of structures follow
   loaded.start = made.start;
   loaded.note.clear();
-  const char* const words[] = {"", "undo", "redo", "reset", "restore"};
-  if (job.step == Step::Apply)
+  const bool stroke =
+      job.step == Step::Apply && std::holds_alternative<datasets::Stroke>(job.edits.front());
+  const char* const words[] = {"", "undo", "redo", "reset", "restore", "renew"};
+  if (stroke)
+    emit noted("stroke");  // a recording has its cuts
+  else if (job.step == Step::Apply)
     emit noted(QString::fromStdString(datasets::textOf(job.edits.front())));
   else
     emit noted(words[static_cast<int>(job.step)]);
-  emit edited(loaded);
-  paint();
+  const bool seen = loaded.scene->id == shared_.shown->scene->id;
+  if (seen)
+    emit renewed(loaded);
+  else
+    emit edited(loaded);
+  if (job.step != Step::Renew) paint(seen);
   startNext();
 }
 
 /// The picture follows: the touch does not wait for it.
-void EditQueue::paint() {
+void EditQueue::paint(bool seen) {
+  // a picture that is dropped for this one was to show something else
+  painting_seen_ = seen && (painting_seen_ || !painter_.isRunning());
   painter_.start(
       [volume = shared_.shown->volume(),
        before = shared_.shown->picture](const Watch& watch) -> haptics::Expected<ui::Picture> {
@@ -270,7 +289,7 @@ void EditQueue::paint() {
                                : ui::pictureOf(volume, &watch.cancel);
       },
       [this](const haptics::Expected<ui::Picture>& picture) {
-        if (picture) return emit pictured(*picture);
+        if (picture) return emit pictured(*picture, painting_seen_);
         messages_.showMessage(tr(
             "The picture of the edited volume could not be made: it still shows the volume before "
             "the edit, but you touch the edited volume. Close other programs and undo the edit."));

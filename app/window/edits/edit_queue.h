@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -24,10 +25,18 @@ namespace app {
 class EditQueue : public QObject {
   Q_OBJECT
  public:
-  enum class Step { Apply, Undo, Redo, Reset, Restore };
+  enum class Step {
+    Apply,
+    Undo,
+    Redo,
+    Reset,
+    Restore,
+    Renew  ///< the present volume as a new scene
+  };
   struct Job {
     Step step = Step::Apply;
     std::vector<datasets::Edit> edits = {};
+    std::uint64_t felt_in = 0;  ///< of a stroke: id of the scene that has its cuts; 0: none has
   };
 
   EditQueue(ui::Messages& messages, ui::Loading& loading, SharedState& shared);
@@ -57,8 +66,10 @@ class EditQueue : public QObject {
   /// A new volume and scene of the same scan. The receiver puts it into `shared.shown`. Its picture
   /// is still that from before.
   void edited(const app::Loaded& loaded);
-  /// The picture of the newest volume.
-  void pictured(const ui::Picture& picture);
+  /// The same scene with a stroke that it has already. The receiver puts it into `shared.shown`.
+  void renewed(const app::Loaded& loaded);
+  /// The picture of the newest volume. `seen`: its voxels are on view already.
+  void pictured(const ui::Picture& picture, bool seen);
   /// What was done: the edit as text, or "undo", "redo", "reset", "restore".
   void noted(const QString& text);
   /// What waits for the tool, as a sentence; empty: nothing does.
@@ -80,7 +91,9 @@ class EditQueue : public QObject {
   void start(const Job& job);
   void deliver(haptics::Expected<Made> made);
   void adopt();
-  void paint();
+  void paint(bool seen);
+  /// The options of the scene that a job ends with.
+  haptics::SceneOptions optionsOf(const Job& job) const;
   /// Takes a step of the history back that is not on view.
   static void rollBack(datasets::EditHistory& history, Step step);
   bool raises(const Job& job) const;
@@ -108,6 +121,7 @@ class EditQueue : public QObject {
   QElapsedTimer untouched_;   ///< since the tool was last in contact
   background::Task<Made> task_;
   background::Task<ui::Picture> painter_;  ///< of the volume that is touched
+  bool painting_seen_ = false;             ///< that picture shows what is on view
 };
 
 }  // namespace app

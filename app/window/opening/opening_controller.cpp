@@ -124,11 +124,21 @@ void OpeningController::replace(const Loaded& loaded) {
   emit shown(false);
 }
 
-void OpeningController::replacePicture(const ui::Picture& picture) {
+void OpeningController::renew(const Loaded& loaded) {
+  shared_.shown = loaded;
+  shared_.session.renew(loaded.scene);
+  views_.setTouched(touchedSurfaceOf(loaded.seenScene()));
+  emit shown(false);
+}
+
+void OpeningController::replacePicture(const ui::Picture& picture, bool seen) {
   shared_.shown->picture = picture;
   if (shared_.replaying) return;  // it shows the picture when it ends, or when it comes to it
-  views_.replace(picture);
-  emit pictureReplaced();
+  if (seen)
+    views_.renew(picture);
+  else
+    views_.replace(picture);
+  emit pictureReplaced(seen);
 }
 
 /// Asks first if another scan would take something with it.

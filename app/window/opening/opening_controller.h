@@ -34,7 +34,10 @@ class OpeningController : public QObject {
   void load(LoadRequest request, const QString& what);
   /// Takes another volume and scene of the scan on view, after an edit. Its picture may follow.
   void replace(const app::Loaded& loaded);
-  void replacePicture(const ui::Picture& picture);
+  /// The same scene with a stroke of a burr, which the touch has already.
+  void renew(const app::Loaded& loaded);
+  /// `seen`: its voxels are on view already.
+  void replacePicture(const ui::Picture& picture, bool seen);
   /// A path of volumes, of a recording or of a view. `request`: the options of the command line.
   void open(const QString& path, LoadRequest request = {});
   /// One or more paths. Several files of one folder open the folder, whose series are listed; of
@@ -62,7 +65,7 @@ class OpeningController : public QObject {
   /// The user wants nothing remembered of what was open.
   void placesForgotten();
   /// So is the picture of its volume, which came later.
-  void pictureReplaced();
+  void pictureReplaced(bool seen);
   /// Loading failed; the previous volume stays on view.
   void failed(const haptics::Error& error);
 

@@ -149,6 +149,11 @@ void RecordingController::record(bool record) {
   if (!record) return recording_.stop();
   if (!shared_.shown) return;
   emit starting();
+  uncut_([this] { begin(); });
+}
+
+void RecordingController::begin() {
+  if (!shared_.shown || shared_.replaying || recording_.isRecording()) return;
   const auto begun =
       recording_.start(shared_.shown->scene, recordedName(shared_.shown->tool), panel_->states());
   if (!begun) {

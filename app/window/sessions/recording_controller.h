@@ -35,6 +35,8 @@ class RecordingController : public QObject {
 
   SessionRecording& recording() { return recording_; }
   const Recordings& recordings() const { return recordings_; }
+  /// Sets what calls its argument, with which a recording begins, when nothing is cut in the scene.
+  void setUncut(std::function<void(std::function<void()>)> uncut) { uncut_ = std::move(uncut); }
   /// Gives the names of scans by their hashes; the list then has them.
   void setScans(std::function<QHash<QString, QString>()> scans);
   /// Recordings are in another folder from now on.
@@ -66,6 +68,7 @@ class RecordingController : public QObject {
  private:
   QHash<QString, QString> scans();
   void record(bool record);
+  void begin();
   void readCurves();
   void noteCamera();
   void deleteRecording(const QString& id);
@@ -84,6 +87,7 @@ class RecordingController : public QObject {
   background::Task<QList<ui::PastRecording>> lister_;
   std::vector<std::function<void()>> after_list_;  ///< what waits for the list
   std::function<QHash<QString, QString>()> scans_;
+  std::function<void(std::function<void()>)> uncut_;
   std::optional<VolumeHash> on_view_;  ///< of the scan on view when the list was made
   ForceCurves curves_;
   QList<QString> finished_;     ///< ids of the recordings in the list that have a curve

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/cut_panel.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/controls/bindings.h"
+#include "ui/controls/number_box.h"
+
+namespace ui {
+namespace {
+
+constexpr double kForceStep = 0.1;  // N
+
+NumberBox* numberOf(const char* name, const QString& accessible, double least, double most,
+                    double step, int decimals, const QString& suffix, double value) {
+  auto* number = new NumberBox;
+  number->setObjectName(name);
+  number->setAccessibleName(accessible);
+  number->setRange(least, most);
+  number->setSingleStep(step);
+  number->setDecimals(decimals);
+  number->setSuffix(suffix);
+  number->setValue(value);
+  number->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  return number;
+}
+
+QLabel* wordsOf(const char* name) {
+  auto* words = new QLabel;
+  words->setObjectName(name);
+  words->setWordWrap(true);
+  words->setTextFormat(Qt::PlainText);
+  QSizePolicy policy = words->sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Ignored);
+  words->setSizePolicy(policy);
+  return words;
+}
+
+QString shown(double mm3) { return QLocale().toString(mm3, 'f', mm3 < 100.0 ? 1 : 0); }
+
+}  // namespace
+
+CutPanel::CutPanel(QWidget* parent)
+    : QWidget(parent),
+      burrs_(new QButtonGroup(this)),
+      burr_row_(new QHBoxLayout),
+      state_(wordsOf("cutState")),
+      removed_(wordsOf("cutRemoved")),
+      speed_(numberOf("burrSpeed", tr("Speed of the burr"), 1'000.0, 100'000.0, 1'000.0, 0,
+                      tr(" /min"), BurrNumbers{}.speed_rpm)),
+      energy_(numberOf("burrEnergy", tr("Energy that a cubic millimetre takes"), 0.01, 100.0, 0.1,
+                       2, tr(" J/mm³"), BurrNumbers{}.energy_J_mm3)),
+      undo_(new QPushButton(tr("Undo"))),
+      redo_(new QPushButton(tr("Redo"))),
+      tint_(new QCheckBox(tr("Colour what was cut"))) {
+  burr_row_->setSpacing(4);
+  burrs_->setExclusive(false);
+  undo_->setObjectName("undoStroke");
+  redo_->setObjectName("redoStroke");
+  tint_->setObjectName("cutTint");
+  tint_->setChecked(true);
+  tint_->setToolTip(tr("Where the surface is a mesh, faces that a burr has cut stand out"));
+  speed_->setToolTip(tr("Turns in a minute: a faster burr removes more with the same force"));
+  energy_->setToolTip(tr("What it takes to remove a cubic millimetre: the more, the slower"));
+  whenKeysChange(*this, [this] {
+    undo_->setToolTip(withKey(tr("Takes the last stroke or edit back"), Action::Undo));
+    redo_->setToolTip(withKey(tr("Makes the stroke or edit again"), Action::Redo));
+    shown_force_ = -1.0;
+    showState(shown_);
+  });
+  auto* form = new QFormLayout;
+  form->addRow(tr("Speed"), speed_);
+  form->addRow(tr("Material"), energy_);
+  auto* steps = new QHBoxLayout;
+  steps->setSpacing(4);
+  steps->addWidget(undo_);
+  steps->addWidget(redo_);
+  steps->addStretch(1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(burr_row_);
+  column->addWidget(state_);
+  column->addLayout(form);
+  column->addWidget(removed_);
+  column->addLayout(steps);
+  column->addWidget(tint_);
+  for (NumberBox* number : {speed_, energy_})
+    connect(number, &NumberBox::valueChanged, this, &CutPanel::numbersChanged);
+  connect(undo_, &QPushButton::clicked, this, &CutPanel::undoWanted);
+  connect(redo_, &QPushButton::clicked, this, &CutPanel::redoWanted);
+  connect(tint_, &QCheckBox::toggled, this, &CutPanel::tintChosen);
+  setSteps(false, false);
+  show(CutTold{});
+}
+
+void CutPanel::setBurrs(const QList<BurrChoice>& burrs) {
+  for (const BurrChoice& burr : burrs) {
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("cut_") + burr.id);
+    button->setText(burr.label);
+    button->setToolTip(burr.tip);
+    button->setAccessibleName(burr.tip);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    burrs_->addButton(button);
+    burr_row_->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, button, id = burr.id] {
+      button->setChecked(!button->isChecked());  // it is down when the tool is there
+      emit burrChosen(id);
+    });
+  }
+}
+
+void CutPanel::showTool(const QString& id) {
+  for (QAbstractButton* button : burrs_->buttons())
+    button->setChecked(button->objectName() == QStringLiteral("cut_") + id);
+}
+
+BurrNumbers CutPanel::numbers() const { return {speed_->value(), energy_->value()}; }
+
+void CutPanel::showState(State state, double force) {
+  if (state == shown_ && std::abs(force - shown_force_) < kForceStep) return;
+  shown_ = state;
+  shown_force_ = force;
+  const QString words = [&] {
+    switch (state) {
+      case State::NoBurr:
+        return tr("Choose a burr to cut. The file never changes.");
+      case State::Preparing:
+        return tr("The burr is being prepared.");
+      case State::Solid:
+        return tr(
+            "A structure is solid for the touch, and would be cut. Let it be felt in another "
+            "way to cut.");
+      case State::Ready:
+        return tr("Hold %1 in the 3-D view to cut.").arg(keyOf(Action::Cut));
+      case State::Turning:
+        break;
+    }
+    return tr("The burr turns: %L1 N").arg(force, 0, 'f', 1);
+  }();
+  state_->setText(words);
+}
+
+void CutPanel::show(const CutTold& told) {
+  removed_->setText(
+      told.strokes == 0 && told.all_mm3 == 0.0
+          ? tr("Nothing was cut yet.")
+          : tr("Removed: %1 mm³ in %n strokes, the last of %2 mm³", nullptr, told.strokes)
+                .arg(shown(told.all_mm3), shown(told.last_mm3)));
+}
+
+void CutPanel::setSteps(bool undo, bool redo) {
+  undo_->setEnabled(undo);
+  redo_->setEnabled(redo);
+}
+
+bool CutPanel::tint() const { return tint_->isChecked(); }
+
+}  // namespace ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QWidget>
+
+class QButtonGroup;
+class QCheckBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace ui {
+
+class NumberBox;
+
+/// A tool that cuts: its name in the program, and its text for the user.
+struct BurrChoice {
+  QString id, label, tip;
+};
+
+/// How fast a burr turns, and what its material takes.
+struct BurrNumbers {
+  double speed_rpm = 60'000.0;
+  double energy_J_mm3 = 1.0;
+};
+
+/// What a burr has removed, and by how many strokes that are in force.
+struct CutTold {
+  int strokes = 0;
+  double all_mm3 = 0.0, last_mm3 = 0.0;
+};
+
+/// The panel "Cut": chooses a burr, says whether it turns, and what it has removed.
+class CutPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CutPanel(QWidget* parent = nullptr);
+
+  void setBurrs(const QList<BurrChoice>& burrs);
+  /// The tool in use; one that is no burr leaves all buttons up.
+  void showTool(const QString& id);
+  BurrNumbers numbers() const;
+  /// Whether the scan may be cut with it.
+  enum class State {
+    NoBurr,     ///< the tool has none
+    Preparing,  ///< it can soon
+    Solid,      ///< structures are solid for the touch: they would be cut
+    Ready,
+    Turning
+  };
+  /// `force`: N, on the turning burr.
+  void showState(State state, double force = 0.0);
+  void show(const CutTold& told);
+  using QWidget::show;
+  void setSteps(bool undo, bool redo);
+  bool tint() const;
+
+ signals:
+  void burrChosen(const QString& id);
+  void numbersChanged();
+  void undoWanted();
+  void redoWanted();
+  void tintChosen(bool on);
+
+ private:
+  QButtonGroup* burrs_;
+  QHBoxLayout* burr_row_;
+  QLabel *state_, *removed_;
+  NumberBox *speed_, *energy_;
+  QPushButton *undo_, *redo_;
+  QCheckBox* tint_;
+  State shown_ = State::Preparing;
+  double shown_force_ = -1.0;
+};
+
+}  // namespace ui
