@@ -53,7 +53,7 @@ std::shared_ptr<const haptics::Volume> ballVolume(int n = 64) {
                           window::ball(Vec3::Zero(), kBall_mm * 1e-3), {.unit = "HU"});
 }
 
-haptics::Grid gridOf(std::array<std::int64_t, 3> dims, const Vec3& spacing_mm,
+haptics::Grid markedGrid(std::array<std::int64_t, 3> dims, const Vec3& spacing_mm,
                      const Mat3& direction) {
   haptics::Grid grid;
   grid.dims = dims;
@@ -84,25 +84,25 @@ std::vector<Known> knownDistances() {
            Plane::Axial,
            "30 mm ± 1 mm"},
           {"voxels of 0.3 mm",
-           gridOf({120, 120, 20}, Vec3::Constant(0.3), Mat3::Identity()),
+           markedGrid({120, 120, 20}, Vec3::Constant(0.3), Mat3::Identity()),
            {10, 60, 9},
            {110, 60, 9},
            Plane::Axial,
            "30.0 mm ± 0.4 mm"},
           {"thick slices, left-handed, within a slice",
-           gridOf({100, 100, 20}, {0.5, 0.5, 3.0}, left_handed),
+           markedGrid({100, 100, 20}, {0.5, 0.5, 3.0}, left_handed),
            {20, 50, 9},
            {80, 50, 9},
            Plane::Axial,
            "30.0 mm ± 0.6 mm"},
           {"thick slices, left-handed, across them",
-           gridOf({100, 100, 20}, {0.5, 0.5, 3.0}, left_handed),
+           markedGrid({100, 100, 20}, {0.5, 0.5, 3.0}, left_handed),
            {50, 50, 4},
            {50, 50, 14},
            Plane::Coronal,
            "30 mm ± 2 mm"},
           {"permuted",
-           gridOf({60, 40, 30}, {1.0, 1.5, 2.0}, permuted),
+           markedGrid({60, 40, 30}, {1.0, 1.5, 2.0}, permuted),
            {30, 5, 15},
            {30, 25, 15},
            Plane::Sagittal,
@@ -189,7 +189,7 @@ TEST(Marks, AnAngleStatesTheAccuracyThatItsPlacesHaveTogether) {
   std::mt19937 random{5};
   std::uniform_real_distribution<double> place(-25.0, 25.0);
   ui::MeasuredScan scan;
-  scan.grid = gridOf({64, 64, 64}, {0.4, 0.7, 1.6}, Mat3::Identity());
+  scan.grid = markedGrid({64, 64, 64}, {0.4, 0.7, 1.6}, Mat3::Identity());
   int checked = 0;
   for (int trial = 0; trial < 200; ++trial) {
     Measure angle{MeasureKind::Angle, "a", {}};
@@ -246,7 +246,7 @@ TEST(Marks, AnAngleIsPlacedByThreeClicksWithItsCornerSecond) {
 
 TEST(Marks, APointReadsTheValueOfItsVoxel) {
   const haptics::Grid grid =
-      gridOf({32, 40, 24}, {1.0, 0.8, 1.5}, Vec3{-1.0, 1.0, 1.0}.asDiagonal());
+      markedGrid({32, 40, 24}, {1.0, 0.8, 1.5}, Vec3{-1.0, 1.0, 1.0}.asDiagonal());
   const auto intensity = [&](const Vec3& p_W) {
     const Vec3 index = grid.indexOf(p_W);
     return std::round(index.x()) * 20.0 - std::round(index.y()) * 3.0 +

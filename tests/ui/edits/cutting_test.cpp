@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A burr in the mouse's hand: what it cuts is seen while it is cut, and can be taken back.
+#include <vtkCamera.h>
+
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <variant>
+
+#include "app/window/edits/edit_controller.h"
+#include "datasets/readers/nrrd/writer.h"
+#include "haptics/session.h"
+#include "tests/ui/edits/editing.h"
+#include "tests/ui/views/sphere_in_hand.h"
+#include "tests/ui/window_support.h"
+#include "ui/style/scene_colours.h"
+#include "ui/views/volume_view.h"
+#include "ui/window/views.h"
+
+namespace {
+
+using Eigen::Vector3d;
+using window::waitFor;
+
+class Cutting : public window::Editing {
+ protected:
+  /// A plate across the patient, and a burr of 4 mm that is ready.
+  void openWithBurr();
+  QString state() { return child<QLabel>("cutState").text(); }
+  bool isReady() {
+    return waitFor(
+        [&] { return application_->snapshot().can_cut && state().startsWith("Hold X"); });
+  }
+  /// The hand goes there with the burr's tip, in small steps.
+  void pullTip(const Vector3d& p_mm);
+  /// So deep below the plate's front, and so far aside.
+  static Vector3d at(double depth_mm, double aside_mm = 0.0) {
+    return {aside_mm, kFront_mm + depth_mm, 0.0};
+  }
+  void holdKey(bool down);
+  double removed_mm3();
+  std::size_t strokes();
+  /// Presses the burr into the large ball from the front, at a place beside its middle, until it
+  /// has removed so much more, and lets the key go. The tool stays in contact.
+  void cut(double aside_mm, double mm3);
+  void lift();
+
+  static constexpr double kFront_mm = -10.0;  ///< y of the plate's front; it is 20 mm thick
+};
+
+void Cutting::openWithBurr() {
+  const auto path = std::filesystem::path(scans_.path().toStdString()) / "plate.nrrd";
+  const auto scan = window::volumeOf(
+      window::cubeGrid(64), haptics::ScalarType::Int16, [&](const haptics::Vec3& p_W) {
+        const Vector3d p = p_W * 1e3;
+        const double out =
+            std::max({std::abs(p.y()) + kFront_mm, std::abs(p.x()) - 24.0, std::abs(p.z()) - 24.0});
+        return 100.0 * std::clamp(0.5 - out / 3.0, 0.0, 1.0);
+      });
+  ASSERT_TRUE(datasets::writeNrrd(*scan, path).has_value());
+  open(path, 50.0);
+  QTest::mouseClick(&child("cut_burr-4"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return application_->shown()->tool.name == "burr-4"; }));
+  ASSERT_TRUE(isReady()) << state().toStdString();
+  // the tool stands straight on the plate: seen aslant, it hides nothing
+  window().views().volume().camera()->Azimuth(50.0);
+  window().views().volume().camera()->Elevation(25.0);
+  EXPECT_TRUE(child("cut_burr-4").isChecked());
+  EXPECT_FALSE(child("cut_burr-6").isChecked());
+}
+
+void Cutting::pullTip(const Vector3d& p_mm) {
+  // straight at the plate: aslant, it would turn in the mouse's grip
+  haptics::Pose X = haptics::Pose::Identity();
+  X.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  const haptics::Vec3& tip = application_->shown()->scene->tool.shell.tip;
+  const haptics::Vec3 from = application_->snapshot().X_WD * tip;
+  for (int n = 1; n <= 25; ++n) {
+    X.translation() = from + (p_mm * 1e-3 - from) * (n / 25.0) - X.linear() * tip;
+    application_->session().pull(X);
+    window::afterTicks(*application_, 12);
+  }
+  window::afterTicks(*application_, 300);
+}
+
+void Cutting::holdKey(bool down) {
+  ui::VolumeView& view = window().views().volume();
+  view.setFocus();
+  if (down)
+    QTest::keyPress(&view, Qt::Key_X);
+  else
+    QTest::keyRelease(&view, Qt::Key_X);
+}
+
+double Cutting::removed_mm3() {
+  const QString words = child<QLabel>("cutRemoved").text();
+  return words.section(' ', 1, 1).toDouble();
+}
+
+std::size_t Cutting::strokes() {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      application_->editing().edits(),
+      [](const datasets::Edit& edit) { return std::holds_alternative<datasets::Stroke>(edit); }));
+}
+
+void Cutting::cut(double aside_mm, double mm3) {
+  const double before = removed_mm3();
+  const std::size_t strokes_before = strokes();
+  pullTip(at(-6.0, aside_mm));
+  pullTip(at(5.0, aside_mm));
+  ASSERT_GT(application_->snapshot().contacts, 0);
+  EXPECT_EQ(removed_mm3(), before);  // nothing without the key
+  holdKey(true);
+  ASSERT_TRUE(waitFor([&] { return removed_mm3() >= before + mm3; })) << state().toStdString();
+  EXPECT_TRUE(state().startsWith("The burr turns: ")) << state().toStdString();
+  EXPECT_EQ(strokes(), strokes_before);
+  holdKey(false);
+  ASSERT_TRUE(waitFor([&] { return strokes() == strokes_before + 1; }));
+  settle();
+  EXPECT_TRUE(state().startsWith("Hold X"));
+}
+
+void Cutting::lift() {
+  pullTip(at(-25.0));
+  ASSERT_TRUE(waitFor([&] { return application_->snapshot().contacts == 0; }));
+}
+
+bool turningColoured(QColor c) {
+  return c.red() > 150 && c.green() > 0.54 * c.red() && c.green() < 0.72 * c.red() &&
+         c.blue() < 0.35 * c.red();
+}
+bool cutColoured(QColor c) {
+  return c.red() > 90 && c.red() > 1.4 * c.green() && c.green() > c.blue() &&
+         c.blue() > 0.6 * c.green();
+}
+
+TEST_F(Cutting, IsSeenWhileItIsDoneAndIsThereForEyeAndHandAfterwards) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  ui::VolumeView& view = window().views().volume();
+  const Vector3d inside = at(1.5);
+  EXPECT_TRUE(isThere(inside));
+  lift();
+  pullTip(at(5.0));
+  const QImage uncut = window::pictureAtRest(view);
+  EXPECT_LT(window::count(uncut, turningColoured), 5);
+  EXPECT_LT(window::count(uncut, cutColoured), 5);
+  holdKey(true);
+  ASSERT_TRUE(waitFor([&] { return removed_mm3() > 25.0; })) << state().toStdString();
+  // no edit yet, and the views show it
+  EXPECT_EQ(strokes(), 0U);
+  EXPECT_EQ(application_->editing().edits().size(), 0U);
+  EXPECT_GT(window::count(view.grabFramebuffer(), turningColoured), 50);
+  window().views().setCross(inside);
+  ui::SliceView& axial = slice(ui::Plane::Axial);
+  const auto greyAt = [&] {
+    const QPoint at = axial.projected(inside).toPoint() + QPoint{2, -2};
+    return axial.grab().toImage().pixelColor(at).red();
+  };
+  EXPECT_LT(greyAt(), 120);  // the isovalue is 127
+  EXPECT_GE(felt(inside), isovalue_);  // of the volume on view
+  holdKey(false);
+  ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
+  settle();
+  EXPECT_FALSE(isThere(inside));
+  window().views().setCross(at(3.0));
+  expectTheSameEverywhere();
+  EXPECT_LT(window::count(window::pictureAtRest(view), turningColoured), 5);
+  // what was cut has its colour, until the user wants none
+  lift();
+  const QImage tinted = window::pictureAtRest(view);
+  keepWindow("cut_one_stroke");
+  EXPECT_GT(window::count(tinted, cutColoured), 60);
+  child<QCheckBox>("cutTint").click();
+  const QImage plain = window::pictureAtRest(view);
+  EXPECT_LT(window::count(plain, cutColoured), 5);
+  // and the pit stays
+  EXPECT_GT(window::differing(plain, uncut), 0.001);
+}
+
+TEST_F(Cutting, IsTakenBackStrokeByStrokeOutOfContactAlone) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  const haptics::Volume* const scan = application_->shown()->volume().get();
+  lift();
+  const QImage first = window::pictureAtRest(window().views().volume());
+  cut(-4.0, 6.0);
+  lift();
+  cut(0.0, 6.0);
+  ASSERT_FALSE(HasFatalFailure());
+  const std::uint64_t scene = application_->snapshot().scene;
+  // in contact it waits
+  ASSERT_GT(application_->snapshot().contacts, 0);
+  QTest::mouseClick(&child("undoStroke"), Qt::LeftButton);
+  QTest::qWait(300);
+  EXPECT_EQ(strokes(), 2U);
+  EXPECT_EQ(application_->snapshot().scene, scene);
+  lift();
+  settle();
+  EXPECT_EQ(strokes(), 1U);
+  window().views().setCross(at(3.0));
+  expectTheSameEverywhere();
+  ASSERT_TRUE(isReady());
+  redo();
+  EXPECT_EQ(strokes(), 2U);
+  undo();
+  undo();
+  EXPECT_EQ(strokes(), 0U);
+  EXPECT_EQ(application_->shown()->volume().get(), scan);
+  EXPECT_EQ(child<QLabel>("cutRemoved").text(), "Nothing was cut yet.");
+  window().views().setCross(at(3.0));
+  expectTheSameEverywhere();
+  EXPECT_LT(window::differing(window::pictureAtRest(window().views().volume()), first), 0.002);
+  // and it can be cut anew
+  ASSERT_TRUE(isReady());
+  cut(3.0, 4.0);
+  EXPECT_EQ(strokes(), 1U);
+}
+
+}  // namespace
