@@ -89,7 +89,6 @@ void RecordedRun::write(const haptics::TraceRow& row) {
   if (row.cutting != nullptr) {
     step.flags |= haptics::StepFlags::kCut;
     step.cut = row.cutting->begun();
-    carved_ = row.cutting->scene();
   }
   step.contacts = row.bearing;
   step.near = row.near;
@@ -97,8 +96,6 @@ void RecordedRun::write(const haptics::TraceRow& row) {
 }
 
 Expected<nlohmann::ordered_json> RecordedRun::finish() {
-  if (carved_)
-    recorder_->note(kCarvedEvent, wordOf(digestOfCuts(*loop_.scene->volume, *carved_->volume)));
   const auto finished = recorder_->finish();
   if (!finished) return tl::unexpected(finished.error());
   const RecorderStatus status = recorder_->status();

@@ -39,7 +39,6 @@ class RecordedRun {
   std::unique_ptr<Recorder> recorder_;
   const haptics::ClosedLoop& loop_;
   std::int64_t ticks_ = 0;
-  std::shared_ptr<const haptics::Scene> carved_;  ///< what cuts have left; null: nothing is cut
 };
 
 }  // namespace app::cli

@@ -102,14 +102,14 @@ Outcome replay(const ReplayOptions& options) {
     outcome.json["distances"] = difference->distances;
     outcome.json["differing_distances"] = difference->differing_distances;
   }
-  const bool carved_same = !difference->carved || !difference->carved_then ||
-                           app::wordOf(*difference->carved) == *difference->carved_then;
+  const bool carved_same = difference->differing_carved == 0;
   if (difference->carved) {
     outcome.json["cuts"] = difference->cuts;
     outcome.json["differing_cuts"] = difference->differing_cuts;
     outcome.json["carved"] = app::wordOf(*difference->carved);
-    outcome.json["carved_as_recorded"] =
-        difference->carved_then ? nlohmann::ordered_json(carved_same) : nlohmann::ordered_json();
+    outcome.json["carved_as_recorded"] = difference->carved_said > 0
+                                             ? nlohmann::ordered_json(carved_same)
+                                             : nlohmann::ordered_json();
   }
   outcome.json["volume"] = !same ? "another" : known ? "same" : "unknown";
   outcome.json["recorded_by"] = recording->version();

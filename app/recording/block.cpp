@@ -201,12 +201,17 @@ struct CutColumn {
   const char* name;
   const char* unit;
 };
-constexpr CutColumn kCutColumns[] = {{"from_x", "m"}, {"from_y", "m"}, {"from_z", "m"},
-                                     {"to_x", "m"},   {"to_y", "m"},   {"to_z", "m"},
-                                     {"radius", "m"}, {"isovalue", ""}};
-double& numberOf(haptics::BurrCut& cut, std::size_t k) {
+constexpr CutColumn kCutColumns[] = {{"from_x", "m"}, {"from_y", "m"},  {"from_z", "m"},
+                                     {"to_x", "m"},   {"to_y", "m"},    {"to_z", "m"},
+                                     {"radius", "m"}, {"isovalue", ""}, {"removed", "m3"}};
+double& numberOf(haptics::Step& step, std::size_t k) {
+  haptics::BurrCut& cut = *step.cut;
   const auto axis = static_cast<Eigen::Index>(k % 3);
-  return k < 3 ? cut.from_W[axis] : k < 6 ? cut.to_W[axis] : k == 6 ? cut.radius : cut.isovalue;
+  return k < 3    ? cut.from_W[axis]
+         : k < 6  ? cut.to_W[axis]
+         : k == 6 ? cut.radius
+         : k == 7 ? cut.isovalue
+                  : step.removed;
 }
 constexpr std::size_t kStepOfCut = sizeof(std::uint16_t);
 
@@ -215,21 +220,22 @@ bool readCuts(std::span<const std::uint8_t> bytes, Layout layout, std::size_t co
               std::vector<PartlyRead>& steps) {
   constexpr double kFarthest = 100.0, kLargest = 0.02;  // m
   std::vector<std::uint64_t> values(count);
-  std::vector<haptics::BurrCut*> cuts;
+  std::vector<haptics::Step*> cuts;
   if (count > 0 && !take(bytes, kStepOfCut, layout, values)) return false;
   for (std::size_t i = 0; i < count; ++i) {
     if (values[i] >= steps.size() || (i > 0 && values[i] <= values[i - 1])) return false;
-    cuts.push_back(nullptr);
     steps[values[i]].row.step.cut.emplace();
-    cuts.back() = &*steps[values[i]].row.step.cut;
+    cuts.push_back(&steps[values[i]].row.step);
   }
   for (std::size_t k = 0; k < std::size(kCutColumns) && count > 0; ++k) {
     if (!take(bytes, sizeof(double), layout, values)) return false;
     for (std::size_t i = 0; i < count; ++i)
       numberOf(*cuts[i], k) = std::bit_cast<double>(values[i]);
   }
-  return bytes.empty() && std::ranges::all_of(cuts, [&](const haptics::BurrCut* cut) {
-           return cut->from_W.norm() < kFarthest && cut->to_W.norm() < kFarthest &&
+  return bytes.empty() && std::ranges::all_of(cuts, [&](const haptics::Step* step) {
+           const haptics::BurrCut* cut = &*step->cut;
+           return step->removed >= 0.0 && step->removed < kLargest &&
+                  cut->from_W.norm() < kFarthest && cut->to_W.norm() < kFarthest &&
                   (cut->to_W - cut->from_W).norm() < kLargest && cut->radius > 0.0 &&
                   cut->radius < kLargest && std::isfinite(cut->isovalue);
          });
@@ -238,18 +244,18 @@ bool readCuts(std::span<const std::uint8_t> bytes, Layout layout, std::size_t co
 std::vector<std::uint8_t> writtenCuts(std::vector<RecordedStep>& rows, Layout layout,
                                       std::int64_t& count) {
   std::vector<std::uint64_t> values;
-  std::vector<haptics::BurrCut*> cuts;
+  std::vector<haptics::Step*> cuts;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i].step.cut) {
       values.push_back(i);
-      cuts.push_back(&*rows[i].step.cut);
+      cuts.push_back(&rows[i].step);
     }
   count = static_cast<std::int64_t>(cuts.size());
   std::vector<std::uint8_t> bytes;
   if (cuts.empty()) return bytes;
   put(values, kStepOfCut, layout, bytes);
   for (std::size_t k = 0; k < std::size(kCutColumns); ++k) {
-    std::ranges::transform(cuts, values.begin(), [k](haptics::BurrCut* cut) {
+    std::ranges::transform(cuts, values.begin(), [k](haptics::Step* cut) {
       return std::bit_cast<std::uint64_t>(numberOf(*cut, k));
     });
     put(values, sizeof(double), layout, bytes);

@@ -12,6 +12,7 @@
 #include <condition_variable>
 #include <ctime>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <system_error>
@@ -20,6 +21,8 @@
 #include <vector>
 
 #include "app/recording/block.h"
+#include "app/recording/carved_copy.h"
+#include "app/recording/cut_words.h"
 #include "app/recording/database.h"
 #include "app/recording/scene_words.h"
 #include "app/recording/schema.h"
@@ -195,6 +198,8 @@ class Recorder::Writer {
   bool writeCuts(const Block& block);
   bool writeScenes(const std::vector<Described>& scenes);
   void takeStarts();
+  void carve(haptics::Step& step);
+  void noteCarved();
   bool writeEvent(Statement& insert, const Event& event);
   void noteChanges(const haptics::Step& step);
   std::uint64_t sequenceAt(std::int64_t time_ns) const;
@@ -228,6 +233,8 @@ class Recorder::Writer {
   std::uint64_t late_ = 0, missed_ = 0;  ///< since the last commit
   bool watches_ = false;                 ///< the file has the table of distances
   bool cuts_ = false;                    ///< and that of cuts
+  /// What is touched in the scenes of steps that may yet come, by their ids.
+  std::map<std::uint32_t, CarvedCopy> copies_;
   std::thread thread_;
 };
 
@@ -249,6 +256,7 @@ void Recorder::Writer::run() {
       } while (ended && !ring.empty());
       if (ended) {
         countLostAtTheEnd();
+        noteCarved();
         if (!commit()) return fail();
       }
     } catch (const std::exception&) {
@@ -313,11 +321,15 @@ bool Recorder::Writer::commit() {
     told.swap(told_);
   }
   if (!database_->run("BEGIN")) return false;
+  for (const Described& described : scenes)
+    copies_.insert_or_assign(static_cast<std::uint32_t>(described.scene->id),
+                             CarvedCopy{described.scene->volume});
   takeStarts();
   if (!writeSteps()) return false;
   // of steps that came while they were taken, so that none is written without its start
   takeStarts();
   if (!writeScenes(scenes)) return false;
+  if (std::ranges::find(told, "mark", &Event::kind) != told.end()) noteCarved();
   Statement insert = database_->prepare(
       "INSERT INTO event (sequence, time_ns, kind, value, text) VALUES (?, ?, ?, ?, ?)");
   for (const Event& event : events_)
@@ -378,6 +390,7 @@ bool Recorder::Writer::writeSteps() {
   steps_.clear();
   for (haptics::Step step; steps_.size() < ring.capacity() && ring.take(step);) {
     noteChanges(step);
+    carve(step);
     steps_.push_back(step);
     last_ = step;
   }
@@ -461,6 +474,29 @@ bool Recorder::Writer::writeNearness(const Block& block) {
       .bind(2, structures + "]")
       .bind(3, std::span{block.nearness})
       .run();
+}
+
+/// Carries out what was cut, in voxels of its own.
+void Recorder::Writer::carve(haptics::Step& step) {
+  if (step.scene != 0) copies_.erase(copies_.begin(), copies_.lower_bound(step.scene));
+  const auto copy = copies_.find(step.scene);
+  if (!step.cut || copy == copies_.end()) return;
+  // where there is no memory the recording goes on, and says nothing of what was removed
+  if (const auto removed = copy->second.carve(*step.cut))
+    step.removed = *removed;
+  else
+    copies_.erase(copy);
+}
+
+/// Says what the cuts have left until now.
+void Recorder::Writer::noteCarved() {
+  if (!last_) return;
+  const auto copy = copies_.find(last_->scene);
+  if (copy == copies_.end() || !copy->second.isCut()) return;
+  events_.push_back({.time_ns = last_->time_ns,
+                     .kind = kCarvedEvent,
+                     .text = wordOf(copy->second.digest()),
+                     .sequence = last_->sequence});
 }
 
 /// What is worth an event of its own between two steps.

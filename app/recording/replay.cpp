@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "app/recording/carved_copy.h"
 #include "app/recording/cut_words.h"
 #include "app/recording/felt_words.h"
 #include "datasets/edits/edited.h"
@@ -67,42 +68,62 @@ class CutsThen {
   static haptics::Expected<CutsThen> of(const Recording& recording) {
     CutsThen cuts;
     for (const RecordedEvent& event : recording.events()) {
-      if (event.kind == kCarvedEvent) cuts.said_ = event.text;
-      if (event.kind != kCutLawEvent) continue;
+      if (event.kind == kCarvedEvent) cuts.said_.push_back(&event);
+      if (event.kind != kCutLawEvent || !event.value) continue;
       auto law = lawFrom(event.text);
       if (!law) return tl::unexpected(law.error());
-      cuts.law_ = *law;
+      // the last one counts: nothing was cut before
+      cuts.laws_.insert_or_assign(static_cast<std::uint32_t>(*event.value), *law);
     }
     return cuts;
   }
-  /// What is touched in a scene: by a tool that cuts, with all cuts until now.
+  /// What is touched in a scene from a start on: by a tool that cuts, with all cuts until now.
+  /// `before`: what was touched until then; null: nothing.
   haptics::Expected<std::unique_ptr<haptics::Engagement>> engaged(
-      const std::shared_ptr<const haptics::Scene>& scene, const haptics::Pose& X_WP) const {
-    if (!law_) return std::make_unique<haptics::Engagement>(scene, X_WP);
+      const std::shared_ptr<const haptics::Scene>& scene, std::uint32_t number,
+      const haptics::Pose& X_WP, std::unique_ptr<haptics::Cutting> before) {
+    const auto law = laws_.find(number);
+    if (law == laws_.end()) return std::make_unique<haptics::Engagement>(scene, X_WP);
+    if (number == number_ && before) {
+      before->forget();
+      return std::make_unique<haptics::Engagement>(std::move(before), X_WP);
+    }
     auto carved = haptics::CarvedScene::of(*scene);
     if (!carved) return tl::unexpected(carved.error());
-    auto cutting = std::make_unique<haptics::Cutting>(std::move(*carved), *law_);
+    auto cutting = std::make_unique<haptics::Cutting>(std::move(*carved), law->second);
+    if (number != number_) made_.clear();
     for (const haptics::BurrCut& cut : made_) cutting->make(cut);
+    if (number != number_) copy_.emplace(scene->volume);
+    number_ = number;
     return std::make_unique<haptics::Engagement>(std::move(cutting), X_WP);
   }
-  void add(const haptics::BurrCut& cut) { made_.push_back(cut); }
-  /// Carries them out in a view of its own.
-  haptics::Expected<void> tell(const haptics::Scene* scene, ReplayDifference& difference) const {
-    difference.cuts = static_cast<std::int64_t>(made_.size());
-    difference.carved_then = said_;
-    if (!law_ || scene == nullptr) return {};
-    auto carved = haptics::CarvedScene::of(*scene);
-    if (!carved) return tl::unexpected(carved.error());
-    haptics::Cutting cutting{std::move(*carved), *law_};
-    for (const haptics::BurrCut& cut : made_) cutting.make(cut);
-    difference.carved = digestOfCuts(*scene->volume, *cutting.scene()->volume);
+  /// After a step: its cut, and what the recording says was left then.
+  haptics::Expected<void> add(const haptics::Step& step, ReplayDifference& difference) {
+    if (step.cut) {
+      ++difference.cuts;
+      made_.push_back(*step.cut);
+      if (copy_)
+        if (const auto removed = copy_->carve(*step.cut); !removed)
+          return tl::unexpected(removed.error());
+    }
+    for (; next_ < said_.size() && said_[next_]->sequence <= step.sequence; ++next_) {
+      if (!copy_ || said_[next_]->sequence != step.sequence) continue;
+      ++difference.carved_said;
+      difference.differing_carved += wordOf(copy_->digest()) != said_[next_]->text;
+    }
     return {};
+  }
+  void tell(ReplayDifference& difference) const {
+    if (copy_ && copy_->isCut()) difference.carved = copy_->digest();
   }
 
  private:
-  std::optional<haptics::CutLaw> law_;
-  std::optional<std::string> said_;
-  std::vector<haptics::BurrCut> made_;
+  std::map<std::uint32_t, haptics::CutLaw> laws_;  ///< by scene
+  std::vector<const RecordedEvent*> said_;
+  std::size_t next_ = 0;
+  std::uint32_t number_ = 0;            ///< of the scene that is cut
+  std::vector<haptics::BurrCut> made_;  ///< in it
+  std::optional<CarvedCopy> copy_;
 };
 
 /// How structures were felt, from event to event.
@@ -205,11 +226,12 @@ haptics::Expected<ReplayDifference> replay(
         }
         safety.emplace(start->limits, start->safety);
         rate = start->rate;
+        std::unique_ptr<haptics::Cutting> cutting = touched ? std::move(touched->cutting) : nullptr;
         touched.reset();
         if (!scenes.contains(start->scene))
           scenes[start->scene] = start->scene == 0 ? nullptr : scene(start->scene);
         if (const auto& found = scenes[start->scene]) {
-          auto engaged = cuts->engaged(found, start->X_WP);
+          auto engaged = cuts->engaged(found, start->scene, start->X_WP, std::move(cutting));
           if (!engaged) {
             failed = engaged.error();
             return false;
@@ -221,11 +243,14 @@ haptics::Expected<ReplayDifference> replay(
       }
       ++start;
     }
+    if (auto added = cuts->add(step, difference); !added) {
+      failed = added.error();
+      return false;
+    }
     const bool at_hand = step.scene == 0 || (touched && scene_touched == step.scene);
     if (!safety || !at_hand) {
       // what the gate let through depends on what was not computed
       if (!at_hand) safety.reset();
-      if (step.cut) cuts->add(*step.cut);
       ++difference.skipped;
       return true;
     }
@@ -248,7 +273,6 @@ haptics::Expected<ReplayDifference> replay(
                            engaged ? engaged->scene.get() : nullptr,
                            engaged ? &engaged->proxy : nullptr, *safety, rate.period(), budget);
     compare(recorded, engaged ? engaged->proxy.X_WP : step.X_WD, result.sent_W, difference);
-    if (step.cut) cuts->add(*step.cut);
     if (engaged != nullptr && engaged->cutting)
       difference.differing_cuts += engaged->cutting->begun() != step.cut;
     if (watch != nullptr && engaged != nullptr)
@@ -262,8 +286,7 @@ haptics::Expected<ReplayDifference> replay(
   if (cancelled)
     return tl::unexpected(
         haptics::Error{haptics::Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
-  const auto& uncut = scenes[scene_touched];
-  if (auto told = cuts->tell(uncut.get(), difference); !told) return tl::unexpected(told.error());
+  cuts->tell(difference);
   return difference;
 }
 

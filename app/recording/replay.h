@@ -33,11 +33,11 @@ struct ReplayDifference {
   // Of a recording in which a burr cuts.
   std::int64_t cuts = 0;            ///< that were recorded
   std::int64_t differing_cuts = 0;  ///< that began otherwise, or not
-  /// The digest of what the recorded cuts leave of the volume (cut_words.h), whatever the replay
-  /// came to; none if there are none.
+  /// The digest of what the recorded cuts have left of the last scene (cut_words.h), whatever the
+  /// replay came to; none if there are none.
   std::optional<std::uint64_t> carved = {};
-  /// What the recording says of it at its end, if it does.
-  std::optional<std::string> carved_then = {};
+  std::int64_t carved_said = 0;       ///< digests in the recording: at marks, and at its end
+  std::int64_t differing_carved = 0;  ///< of these
 };
 
 /// The volume that was on view in a recorded scene: the scan after the scene's edits. Refuses edits

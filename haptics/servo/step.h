@@ -54,7 +54,10 @@ struct Step {
   std::uint16_t flags = 0;
   Bearing contacts;
   std::optional<BurrCut> cut;  ///< that began after the tick
-  Nearnesses near;             ///< of the proxy to the watched structures
+  /// m3 that it removed. The recorder finds it; the servo thread may carry a cut out over several
+  /// ticks.
+  double removed = 0.0;
+  Nearnesses near;  ///< of the proxy to the watched structures
 };
 
 /// State from which a replay of the following steps gives the same result. Recorded before the

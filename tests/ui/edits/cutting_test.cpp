@@ -4,18 +4,22 @@
 
 #include <QCheckBox>
 #include <QKeyEvent>
+#include <QPushButton>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <variant>
 
+#include "app/recording/recording.h"
+#include "app/recording/replay.h"
 #include "app/window/edits/edit_controller.h"
+#include "app/window/sessions/session_recording.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
 #include "tests/ui/edits/editing.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/window_support.h"
-#include "ui/style/scene_colours.h"
+#include "ui/panels/recording_panel.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/views.h"
 
@@ -159,7 +163,7 @@ TEST_F(Cutting, IsSeenWhileItIsDoneAndIsThereForEyeAndHandAfterwards) {
     const QPoint at = axial.projected(inside).toPoint() + QPoint{2, -2};
     return axial.grab().toImage().pixelColor(at).red();
   };
-  EXPECT_LT(greyAt(), 120);  // the isovalue is 127
+  EXPECT_LT(greyAt(), 120);            // the isovalue is 127
   EXPECT_GE(felt(inside), isovalue_);  // of the volume on view
   holdKey(false);
   ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
@@ -217,6 +221,60 @@ TEST_F(Cutting, IsTakenBackStrokeByStrokeOutOfContactAlone) {
   ASSERT_TRUE(isReady());
   cut(3.0, 4.0);
   EXPECT_EQ(strokes(), 1U);
+}
+
+// What was cut before belongs to the scene that is described, strokes that are taken back to none.
+TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  const auto scan = application_->shown()->volume();
+  cut(-6.0, 5.0);
+  ASSERT_FALSE(HasFatalFailure());
+  const auto scene = application_->shown()->scene->id;
+  auto& panel = window::panelOf<ui::RecordingPanel>(window());
+  QTest::mouseClick(panel.findChild<QPushButton*>("record"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return application_->recording().isRecording(); }));
+  EXPECT_NE(application_->shown()->scene->id, scene);
+  ASSERT_TRUE(isReady());
+  cut(-2.0, 5.0);
+  panel.markAction()->trigger();
+  cut(2.0, 5.0);
+  ASSERT_FALSE(HasFatalFailure());
+  // placed anew in what is cut, as by a double click
+  lift();
+  application_->session().bring(application_->snapshot().X_WP, application_->snapshot().X_WD);
+  ASSERT_TRUE(isReady());
+  cut(0.0, 5.0);
+  lift();
+  undo();
+  ASSERT_TRUE(isReady());
+  cut(5.0, 5.0);
+  ASSERT_FALSE(HasFatalFailure());
+  EXPECT_EQ(strokes(), 4U);
+  const auto path = application_->recording().present();
+  QTest::mouseClick(panel.findChild<QPushButton*>("record"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return application_->recording().present().empty(); }));
+  auto recording = app::Recording::open(path.parent_path() / path.stem());
+  ASSERT_TRUE(recording);
+  EXPECT_EQ(recording->lostCount(), 0);
+  EXPECT_EQ(recording->scenes().size(), 2U);
+  const auto difference = app::replay(
+      *recording,
+      [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {
+        const app::RecordedScene* then = recording->scene(id);
+        const auto volume = app::touchedAsRecorded(scan, *then, nullptr);
+        EXPECT_TRUE(volume);
+        return *haptics::makeScene(*volume, then->tool, then->options);
+      },
+      [](double) { return true; });
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference->steps, recording->stepCount());
+  EXPECT_EQ(difference->skipped, 0);
+  EXPECT_EQ(difference->differing, 0) << difference->distance << " m";
+  EXPECT_GT(difference->cuts, 100);
+  EXPECT_EQ(difference->differing_cuts, 0);
+  EXPECT_EQ(difference->carved_said, 2);  // at the mark and at the end
+  EXPECT_EQ(difference->differing_carved, 0);
 }
 
 }  // namespace
