@@ -170,6 +170,10 @@ std::vector<Channel> motionChannels(const Recording& recording) {
                          [column](std::string& line, const RecordedStep& row) {
                            append(line, column.of(row.step));
                          }));
+  if (recording.isCut())
+    all.push_back(
+        single("removed_volume", "m3", sentence(kRemovedMeaning),
+               [](std::string& line, const RecordedStep& row) { append(line, row.step.removed); }));
   add({single("step", "", "Number of the tick since the recording began",
               [](std::string& line, const RecordedStep& row) {
                 append(line, static_cast<std::int64_t>(row.step.sequence));
@@ -214,7 +218,7 @@ ordered_json kindsOfEvents() {
       {"mark", "The user set a mark, with a note"},
       {"edit", "A part of the scan was taken away or brought back: the command is in the note"},
       {"structures", "Structures are felt otherwise: the note lists them; 1: from the beginning"},
-      {"cut_law", "How the tool's burr cuts, in SI; 1: from the beginning"},
+      {"cut_law", "How the tool's burr cuts in the scene of number value, in SI"},
       {"carved", "The note is a digest of the voxels that cuts have changed"},
       {"camera", "The view moved"}};
 }

@@ -34,6 +34,9 @@ struct NearnessColumn {
 /// Of the structures that the recording watched; none if it watched none.
 std::vector<NearnessColumn> nearnessColumns(const Recording& recording);
 
+inline constexpr const char* kRemovedMeaning =
+    "volume that the burr has removed within the isosurface since the first row";
+
 /// A column of the tables of text: of CSV and of Motion-BIDS.
 struct Channel {
   std::string name, component, type, point, unit, frame, description;

@@ -196,6 +196,8 @@ struct StepTables {
         friction{file, "friction_force", 3, "N", kFrictionMeaning} {
     for (const StepColumn& column : stepColumns())
       if (column.path != nullptr) columns.push_back(ColumnTable::of(column, file));
+    if (recording.isCut())
+      removed = std::make_unique<Table<double>>(file, "removed_volume", 0, "m3", kRemovedMeaning);
     distances = nearnessColumns(recording);
     for (const NearnessColumn& column : distances)
       near.push_back(std::make_unique<Table<float>>(file, column.path.c_str(), 0, "m",
@@ -213,6 +215,7 @@ struct StepTables {
     force.add(tick.sent_W.force);
     torque.add(tick.sent_W.torque);
     friction.add(frictionOf(tick));
+    if (removed) removed->add(tick.removed);
     for (const auto& column : columns) column->add(row);
     for (std::size_t n = 0; n < near.size(); ++n) near[n]->add(distances[n].of(tick));
   }
@@ -223,6 +226,7 @@ struct StepTables {
         f(proxy_orientation), f(force), f(torque), f(friction);
     for (const auto& column : columns) f(*column);
     for (const auto& table : near) f(*table);
+    if (removed) f(*removed);
   }
 
   Table<std::int64_t> time;
@@ -232,6 +236,7 @@ struct StepTables {
   std::vector<std::unique_ptr<ColumnTable>> columns;
   std::vector<NearnessColumn> distances;
   std::vector<std::unique_ptr<Table<float>>> near;
+  std::unique_ptr<Table<double>> removed;  ///< null: nothing was cut
 };
 
 /// The contacts of all steps, one after another, and where those of a step begin.

@@ -54,6 +54,7 @@ haptics::Expected<void> forEachChosen(Recording& recording, const ExportOptions&
   std::int64_t read = 0, chosen = 0, before = 0;
   bool cancelled = false, damaged = false, wanted = true;
   std::optional<RecordedStep> pending;  // the newest, which is chosen if nothing comes before due
+  double removed = 0.0;                 // m3, by all cuts, also those of steps that are not chosen
   const auto take = [&](const RecordedStep& step) {
     ++chosen;
     return wanted = each(step);
@@ -73,18 +74,21 @@ haptics::Expected<void> forEachChosen(Recording& recording, const ExportOptions&
         }
         if (time < window.from) return true;
         if (time > window.to) return false;
-        if (options.rate <= 0.0) return take(step);
-        const bool due = pending && dueAt(pending->step.time_ns, options.rate) < time;
+        const bool due =
+            options.rate > 0.0 && pending && dueAt(pending->step.time_ns, options.rate) < time;
         if (due && !take(*pending)) return false;
         pending = step;
-        return true;
+        pending->step.removed = removed += step.step.removed;
+        return options.rate > 0.0 || take(*pending);
       });
   if (!done) return done;
   if (damaged)
     return tl::unexpected(Error{Error::Kind::Malformed, {"recording-damaged", {}}, "damaged"});
   if (cancelled)
     return tl::unexpected(Error{Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
-  if (wanted && pending && dueAt(pending->step.time_ns, options.rate) <= last_due) take(*pending);
+  if (options.rate > 0.0 && wanted && pending &&
+      dueAt(pending->step.time_ns, options.rate) <= last_due)
+    take(*pending);
   if (chosen == 0) return nothingChosen(recording);
   return {};
 }

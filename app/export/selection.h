@@ -9,7 +9,8 @@
 
 namespace app::exporting {
 
-/// Calls `each` with every step that the options choose, in order, until it returns false. Refuses
+/// Calls `each` with every step that the options choose, in order, until it returns false. Their
+/// Step::removed is what all cuts from `from` to it removed. Refuses
 /// a recording without such a step, and one whose time goes backwards.
 haptics::Expected<void> forEachChosen(Recording& recording, const ExportOptions& options,
                                       const std::function<bool(const RecordedStep&)>& each);

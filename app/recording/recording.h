@@ -58,6 +58,8 @@ class Recording {
 
   /// The structures, from 0, to which distances were measured in some of its steps (Step::near).
   const std::vector<std::uint8_t>& structures() const { return structures_; }
+  /// Whether a burr has cut in it.
+  bool isCut() const { return has_cuts_; }
 
   std::size_t blockCount() const { return blocks_.size(); }
   /// The block with the last step at or before a time [s]; the first block for earlier times.

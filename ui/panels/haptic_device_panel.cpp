@@ -168,6 +168,7 @@ HapticDevicePanel::HapticDevicePanel(QWidget* parent)
       clutch_button_(buttonBox("clutchButton", Action::Clutch)),
       hold_to_run_(new QCheckBox(tr("Force only while held"))),
       hold_button_(buttonBox("holdButton", Action::HoldToRun)),
+      cut_button_(buttonBox("cutButton", Action::Cut)),
       stiffness_(label("stiffnessTwice")),
       capped_(label("stiffnessCapped")),
       lift_(new QCheckBox(tr("Allow stiffness that may shake"))),
@@ -296,6 +297,9 @@ QWidget* HapticDevicePanel::buildMapping() {
             .arg(keyOf(Action::Clutch)));
     hold_button_->setToolTip(tr("The button that is held for a force, beside %1 in the 3-D view")
                                  .arg(keyOf(Action::HoldToRun)));
+    cut_button_->setToolTip(
+        tr("While this button, or %1 in the 3-D view, is held, the burr turns and cuts")
+            .arg(keyOf(Action::Cut)));
   });
   position_scale_->setToolTip(tr("Millimetres of the tool for a millimetre of the hand"));
   lift_->setObjectName("liftStiffness");
@@ -322,6 +326,7 @@ QWidget* HapticDevicePanel::buildMapping() {
   form->addRow(tr("Clutch"), clutch_button_);
   form->addRow(hold_to_run_);
   form->addRow(tr("Held by"), hold_button_);
+  form->addRow(tr("Burr"), cut_button_);
 
   const auto changed = [this] { changeMapping(); };
   connect(position_scale_, &NumberBox::valueChanged, this, changed);
@@ -332,6 +337,7 @@ QWidget* HapticDevicePanel::buildMapping() {
   connect(clutch_button_, &QComboBox::activated, this, changed);
   connect(hold_to_run_, &QCheckBox::toggled, this, changed);
   connect(hold_button_, &QComboBox::activated, this, changed);
+  connect(cut_button_, &QComboBox::activated, this, changed);
   return box;
 }
 
@@ -487,6 +493,7 @@ void HapticDevicePanel::show(const Mapping& mapping) {
   clutch_button_->setCurrentIndex(std::max(0, clutch_button_->findData(mapping.clutch_button)));
   hold_to_run_->setChecked(mapping.hold_to_run);
   hold_button_->setCurrentIndex(std::max(0, hold_button_->findData(mapping.hold_button)));
+  cut_button_->setCurrentIndex(std::max(0, cut_button_->findData(mapping.cut_button)));
   showMappingWords();
 }
 
@@ -496,7 +503,8 @@ void HapticDevicePanel::changeMapping() {
               .follow_camera = follow_camera_->isChecked(),
               .clutch_button = clutch_button_->currentData().toInt(),
               .hold_to_run = hold_to_run_->isChecked(),
-              .hold_button = hold_button_->currentData().toInt()};
+              .hold_button = hold_button_->currentData().toInt(),
+              .cut_button = cut_button_->currentData().toInt()};
   showMappingWords();
   emit mappingChanged(mapping_);
 }

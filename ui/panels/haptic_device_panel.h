@@ -55,6 +55,7 @@ struct Mapping {
   int clutch_button = -1;       ///< while this button is down the tool stays
   bool hold_to_run = false;     ///< force only while hold_button or the key H is down
   int hold_button = -1;
+  int cut_button = -1;  ///< while this button is down the burr turns
 
   bool operator==(const Mapping&) const = default;
 };
@@ -136,6 +137,7 @@ class HapticDevicePanel : public QWidget {
   QComboBox* clutch_button_;
   QCheckBox* hold_to_run_;
   QComboBox* hold_button_;
+  QComboBox* cut_button_;
   QLabel* stiffness_;
   QLabel* capped_;
   QCheckBox* lift_;

@@ -250,6 +250,7 @@ void VolumeView::setSurfaceWish(std::optional<SurfaceMode> wish) {
 void VolumeView::display(const haptics::Snapshot& snapshot) {
   const double change = (snapshot.felt_W.force - last_.felt_W.force).norm();
   const bool touched = snapshot.contacts > 0 || last_.contacts > 0;
+  const bool other_hint = snapshot.can_cut != last_.can_cut;
   if (displayed_ && contacts_shown_ && touched && change < kLeastForce &&
       snapshot.contacts == last_.contacts) {
     // the arrow stays as it is until the force differs visibly
@@ -261,6 +262,7 @@ void VolumeView::display(const haptics::Snapshot& snapshot) {
     if (contacts_shown_ && touched) update();
   }
   displayed_ = true;
+  if (other_hint) emit hintChanged(hint());
   if (tool_.setTurning(snapshot.cuts)) redraw();
   if (tool_.move(snapshot.X_WP, snapshot.X_WD)) redraw();
 }

@@ -192,18 +192,22 @@ void VolumeView::bringTool(QPointF at) {
 QString VolumeView::hint() const {
   const QString over = overlays_.hint();
   if (!over.isEmpty()) return over;
+  const QString cuts =
+      last_.can_cut ? tr("Hold %1: cuts.").arg(keyOf(Action::Cut)) + ' ' : QString{};
   if (mode_ == MouseMode::Hand)
-    return tr("Drag or arrow keys: move the tool. Shift: turns it. Wheel: pushes it. Right drag: "
+    return cuts +
+           tr("Drag or arrow keys: move the tool. Shift: turns it. Wheel: pushes it. Right drag: "
               "turns the picture. %1: lets go.")
-        .arg(keyOf(Action::TakeTool));
+               .arg(keyOf(Action::TakeTool));
   if (mouse_hand_)
-    return tr("Drag: turns. Wheel: nearer. To touch: drag the tool, or take it with %1. "
-              "Double-click: brings it there. Middle drag: shifts.")
-        .arg(keyOf(Action::TakeTool));
-  return tr("Drag: turns. Wheel: nearer. Middle drag: shifts. %1 takes the tool only while the "
+    return cuts + tr("Drag: turns. Wheel: nearer. To touch: drag the tool, or take it with %1. "
+                     "Double-click: brings it there. Middle drag: shifts.")
+                      .arg(keyOf(Action::TakeTool));
+  return cuts +
+         tr("Drag: turns. Wheel: nearer. Middle drag: shifts. %1 takes the tool only while the "
             "mouse "
             "is the hand (tab Touch).")
-      .arg(keyOf(Action::TakeTool));
+             .arg(keyOf(Action::TakeTool));
 }
 
 void VolumeView::mousePressEvent(QMouseEvent* event) {

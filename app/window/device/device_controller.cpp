@@ -192,6 +192,7 @@ void DeviceController::handle() {
   now.clutch_button = mapping_.clutch_button;
   now.hold_to_run = mapping_.hold_to_run;
   now.hold_button = mapping_.hold_button;
+  now.cut_button = mapping_.cut_button;
   // a camera that has not been set up yet has no directions
   if (!now.R_WB.allFinite()) now.R_WB = handling_.R_WB;
   handling_ = now;

@@ -21,6 +21,7 @@ namespace app {
 namespace {
 
 constexpr std::size_t kCutsAtOnce = 256;
+constexpr int kRestMs = 500;
 constexpr double kMm3PerM3 = 1e9;
 
 const resources::NamedTool* burrOf(const ToolSource& tool) {
@@ -54,7 +55,10 @@ CutController::CutController(ui::MainWindow& window, SharedState& shared)
   }
   panel_->setBurrs(burrs);
   using Panel = ui::CutPanel;
-  connect(panel_, &Panel::burrChosen, this, &CutController::toolWanted);
+  connect(panel_, &Panel::burrChosen, this, [this](const QString& name) {
+    const resources::NamedTool* now = shared_.shown ? burrOf(shared_.shown->tool) : nullptr;
+    if (now == nullptr || now->name != name.toStdString()) emit toolWanted(name);
+  });
   connect(panel_, &Panel::numbersChanged, this, &CutController::changeLaw);
   connect(panel_, &Panel::undoWanted, this, &CutController::undoWanted);
   connect(panel_, &Panel::redoWanted, this, &CutController::redoWanted);
@@ -155,7 +159,9 @@ void CutController::showLive() {
 void CutController::refresh() {
   if (key_ && !replaying_) shared_.session.holdCut(true);
   takeCuts();
-  if (!shared_.snapshot.cuts) endStroke();
+  // a slow window lets the key lapse for a moment: that is no other stroke
+  const bool rests = !key_ || !since_cut_.isValid() || since_cut_.hasExpired(kRestMs);
+  if (!shared_.snapshot.cuts && rests) endStroke();
   showState();
 }
 
@@ -174,6 +180,7 @@ void CutController::takeCuts() {
       removed_ += removed.volume;
       stroke_.cuts.push_back(cuts[n]);
       cut_ = true;
+      since_cut_.start();
       if (stroke_.cuts.size() == datasets::kMostCuts) endStroke();
     }
   }
@@ -207,6 +214,8 @@ void CutController::setReplaying(bool replaying) {
 }
 
 void CutController::whenUncut(std::function<void()> then) {
+  takeCuts();
+  endStroke();
   if (!cut_) return then();
   waiting_ = std::move(then);
   emit freshWanted();

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -88,6 +90,7 @@ class CutController : public QObject {
   bool key_ = false;          ///< of the burr is down
   bool replaying_ = false;
   datasets::Stroke stroke_;         ///< under way
+  QElapsedTimer since_cut_;         ///< the last
   double removed_ = 0.0;            ///< m3, by it
   std::vector<double> removed_by_;  ///< m3: strokes in force, and those that were taken back
   std::size_t strokes_ = 0;         ///< in force

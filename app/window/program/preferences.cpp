@@ -30,6 +30,7 @@ ui::Mapping loadMapping(StoredValues& stored) {
   button("device/clutch_button", mapping.clutch_button);
   mapping.hold_to_run = stored.flag("device/hold_to_run").value_or(false);
   button("device/hold_button", mapping.hold_button);
+  button("device/cut_button", mapping.cut_button);
   return mapping;
 }
 
@@ -188,6 +189,7 @@ void savePreferences(const Preferences& preferences) {
   settings.setValue("device/clutch_button", mapping.clutch_button);
   settings.setValue("device/hold_to_run", mapping.hold_to_run);
   settings.setValue("device/hold_button", mapping.hold_button);
+  settings.setValue("device/cut_button", mapping.cut_button);
   setOrRemove(settings, "tool/name", !preferences.tool.isEmpty(), preferences.tool);
   settings.setValue("places/remembered", preferences.places_remembered);
   // nothing is left of them in the file once they are forgotten

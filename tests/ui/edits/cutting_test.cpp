@@ -73,13 +73,14 @@ void Cutting::openWithBurr() {
   window().views().volume().camera()->Elevation(25.0);
   EXPECT_TRUE(child("cut_burr-4").isChecked());
   EXPECT_FALSE(child("cut_burr-6").isChecked());
+  EXPECT_TRUE(window().views().volume().hint().startsWith("Hold X: cuts. "));
 }
 
 void Cutting::pullTip(const Vector3d& p_mm) {
   // straight at the plate: aslant, it would turn in the mouse's grip
   haptics::Pose X = haptics::Pose::Identity();
   X.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  const haptics::Vec3& tip = application_->shown()->scene->tool.shell.tip;
+  const haptics::Vec3 tip = application_->shown()->scene->tool.shell.tip;
   const haptics::Vec3 from = application_->snapshot().X_WD * tip;
   for (int n = 1; n <= 25; ++n) {
     X.translation() = from + (p_mm * 1e-3 - from) * (n / 25.0) - X.linear() * tip;
@@ -221,6 +222,28 @@ TEST_F(Cutting, IsTakenBackStrokeByStrokeOutOfContactAlone) {
   ASSERT_TRUE(isReady());
   cut(3.0, 4.0);
   EXPECT_EQ(strokes(), 1U);
+}
+
+TEST_F(Cutting, ATextureGetsNoOtherVoxelsThanThoseThatWereCut) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  ui::VolumeView& view = window().views().volume();
+  view.setSurfaceWish(ui::SurfaceMode::RayCast);
+  lift();
+  const QImage uncut = window::pictureAtRest(view);
+  pullTip(at(5.0));
+  holdKey(true);
+  ASSERT_TRUE(waitFor([&] { return removed_mm3() > 12.0; })) << state().toStdString();
+  holdKey(false);
+  ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
+  settle();
+  lift();
+  const QImage cut = window::pictureAtRest(view);
+  window::keep(cut, "cut_ray_cast");
+  EXPECT_GT(window::differing(cut, uncut), 0.001);
+  // all of it anew
+  window().views().replace(application_->shown()->picture);
+  EXPECT_EQ(window::differing(window::pictureAtRest(view), cut, 2), 0.0);
 }
 
 // What was cut before belongs to the scene that is described, strokes that are taken back to none.

@@ -331,13 +331,18 @@ TEST(HapticDevicePanel, TheMappingIsSaidInWordsAndEachChangeIsToldOnce) {
   auto* hold = shown.find<QComboBox>("holdButton");
   hold->setFocus();
   QTest::keyClick(hold, Qt::Key_End);
-  ASSERT_EQ(changed.size(), 6);
+  auto* cut = shown.find<QComboBox>("cutButton");
+  cut->setFocus();
+  QTest::keyClick(cut, Qt::Key_Down);
+  QTest::keyClick(cut, Qt::Key_Down);
+  ASSERT_EQ(changed.size(), 8);
   EXPECT_EQ(qvariant_cast<ui::Mapping>(changed.last()[0]), (ui::Mapping{.position_scale = 0.5,
                                                                         .force_scale = 0.5,
                                                                         .follow_camera = true,
                                                                         .clutch_button = 0,
                                                                         .hold_to_run = true,
-                                                                        .hold_button = 15}));
+                                                                        .hold_button = 15,
+                                                                        .cut_button = 1}));
   EXPECT_EQ(clutch->count(), 17);
   EXPECT_EQ(hold->itemText(8), "button 8");
   EXPECT_EQ(hold->currentText(), "button 16 (second device: 8)");

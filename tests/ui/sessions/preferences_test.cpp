@@ -16,7 +16,8 @@ const ui::Mapping kMapped{.position_scale = 2.5,
                           .follow_camera = false,
                           .clutch_button = 0,
                           .hold_to_run = true,
-                          .hold_button = 8};  // the first of a second device
+                          .hold_button = 8,  // the first of a second device
+                          .cut_button = 2};
 
 TEST(Preferences, RememberHowAHandIsTakenToTheScan) {
   QSettings().remove("device");
