@@ -425,6 +425,10 @@ Outcome run(const RunOptions& options) {
     if (!burr)
       return usage("The tool \"" + options.tool.name + "\" has no burr that cuts; choose one of " +
                    resources::namesOfCuttingTools() + ".");
+    if (datasets::walledOf(*(*scene)->volume) != nullptr)
+      return usage(
+          "A structure is solid or not there, and its walls would be cut; with --cut, let it be "
+          "felt in another way, or add no --labels.");
     loop.cut.emplace();
     loop.cut->burr = *burr;
     loop.cut->speed = options.burr_speed_rpm * 2.0 * std::numbers::pi / 60.0;

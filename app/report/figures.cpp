@@ -63,6 +63,10 @@ void Tally::weigh(const Tick& tick, double seconds) {
     figures_.contact_time += seconds;
     force_seconds_ += tick.force * seconds;
   }
+  if (tick.cuts) {
+    figures_.cut_time += seconds;
+    cut_force_seconds_ += tick.force * seconds;
+  }
   for (std::size_t n = 0; n < structures_.size(); ++n) {
     const TickOf& now = tick.structures[n];
     FiguresOf& of = figures_.structures[n];
@@ -81,6 +85,8 @@ void Tally::look(const Tick& tick) {
   const double at = seconds(tick.time_ns);
   takeMore(figures_.largest_force, tick.force, at);
   if (tick.touches && contact_.begins(tick.time_ns)) ++figures_.contacts;
+  if (tick.cuts && stroke_.begins(tick.time_ns)) ++figures_.strokes;
+  figures_.removed += tick.removed;
   for (std::size_t n = 0; n < structures_.size(); ++n) {
     const TickOf& now = tick.structures[n];
     FiguresOf& of = figures_.structures[n];
@@ -143,6 +149,7 @@ Figures Tally::figures() const {
   const double known = figures.time - figures.unknown;
   if (known > 0.0) figures.contact_share = figures.contact_time / known;
   if (figures.contact_time > 0.0) figures.mean_force = force_seconds_ / figures.contact_time;
+  if (figures.cut_time > 0.0) figures.mean_cut_force = cut_force_seconds_ / figures.cut_time;
   for (std::size_t n = 0; n < structures_.size(); ++n)
     if (FiguresOf& of = figures.structures[n]; of.touch_time > 0.0)
       of.mean_push = push_seconds_[n] / of.touch_time;

@@ -36,6 +36,8 @@ struct Tick {
   haptics::Vec3 tip_W = haptics::Vec3::Zero();
   double force = 0.0;    ///< N, on the hand
   bool touches = false;  ///< a contact bears on the tool
+  bool cuts = false;     ///< its burr turns
+  double removed = 0.0;  ///< m3, by the cut that began then
   haptics::FixedVector<TickOf, haptics::kMostWatched> structures = {};
 };
 
@@ -77,6 +79,9 @@ struct Figures {
   double contact_time = 0.0, contact_share = kNone;
   double mean_force = kNone;
   Moment largest_force;
+  std::int64_t strokes = 0;
+  double cut_time = 0.0, removed = 0.0;
+  double mean_cut_force = kNone;
   std::vector<FiguresOf> structures;
 };
 
@@ -108,11 +113,12 @@ class Tally {
   std::vector<Structure> structures_;
   Figures figures_;
   std::optional<Tick> first_, last_;
-  std::optional<Tick> piece_;   ///< the tick that begins a piece of the path
-  bool piece_touches_ = false;  ///< in any of its ticks
-  haptics::Vec3 least_, most_;  ///< of the box around the ends of the pieces
-  double force_seconds_ = 0.0;  ///< N s, in contact
-  Run contact_;
+  std::optional<Tick> piece_;       ///< the tick that begins a piece of the path
+  bool piece_touches_ = false;      ///< in any of its ticks
+  haptics::Vec3 least_, most_;      ///< of the box around the ends of the pieces
+  double force_seconds_ = 0.0;      ///< N s, in contact
+  double cut_force_seconds_ = 0.0;  ///< N s, while the burr turned
+  Run contact_, stroke_;
   std::vector<double> push_seconds_;  ///< N s, of each structure
   std::vector<Run> encounter_;
 };

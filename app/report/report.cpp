@@ -86,7 +86,20 @@ std::vector<FigureOfSession> figuresOfSessions() {
         "5, 6"},
        [](const Figures& f) { return asIs(f.mean_force); }},
       {{"force_largest_N", "Largest force", "N", "Largest size of that force in any tick.", "5, 6"},
-       [](const Figures& f) { return f.largest_force; }}};
+       [](const Figures& f) { return f.largest_force; }},
+      {{"strokes", "Strokes of the burr", "",
+        "How often the burr began to turn. A pause shorter than 0.1 s parts no two strokes.", ""},
+       [](const Figures& f) { return asIs(double(f.strokes)); }},
+      {{"cut_s", "Time of cutting", "s", "Ticks in which the burr turns.", ""},
+       [](const Figures& f) { return asIs(f.cut_time); }},
+      {{"cut_force_mean_N", "Mean force while cutting", "N",
+        "Mean size of the force on the hand over that time.", "5, 6"},
+       [](const Figures& f) { return asIs(f.mean_cut_force); }},
+      {{"removed_mm3", "Volume removed", "mm3",
+        "Of the solid within the isosurface, by all cuts; a voxel counts in part by its value. "
+        "What was taken back counts as well.",
+        "6"},
+       [](const Figures& f) { return asIs(1e9 * f.removed); }}};
 }
 
 std::vector<FigureOfStructure> figuresOfStructures() {

@@ -64,6 +64,8 @@ Tick Ticks::of(const RecordedStep& recorded) {
   if (!tick.known) return tick;
   tick.tip_W = step.X_WP * tool->second.tip;
   tick.touches = !step.contacts.empty();
+  tick.cuts = (step.flags & haptics::StepFlags::kCut) != 0;
+  tick.removed = step.removed;
 
   haptics::Nearnesses near;
   haptics::measure(watch_, tool->second.tree, tool->second.tip, step.X_WP, near);

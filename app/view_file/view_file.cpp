@@ -438,7 +438,7 @@ std::string textOf(const ViewFile& view) {
 
 haptics::Expected<ViewFile> viewFileFrom(std::string_view text, const std::string& name) {
   if (text.size() > kMostViewBytes)
-    return refusedView({"input-too-large", {name, "1 MB"}}, "too-large");
+    return refusedView({"input-too-large", {name, "64 MB"}}, "too-large");
   if (haptics::isNestedDeeper(text, haptics::kDeepestJson))
     return refusedView({"view-of-another-program", {name}}, "damaged");
   try {

@@ -38,7 +38,7 @@ struct ViewFile {
   ui::ViewLook look = {};
 };
 
-inline constexpr std::size_t kMostViewBytes = 1'000'000;
+inline constexpr std::size_t kMostViewBytes = 64'000'000;
 inline constexpr std::size_t kMostMarks = 10'000;
 inline constexpr std::size_t kMostEdits = 1'000;
 inline constexpr const char* kViewEnding = ".palpate-view";

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -67,19 +69,31 @@ struct RemoveHolder {
   double isovalue = 0.0;
 };
 
-/// What a burr took away while its key was held.
-struct Stroke {
+/// What a burr took away while its key was held. Copies share the cuts, of which there may be very
+/// many, and their text.
+class Stroke {
+ public:
   /// In the order in which they were made. Each begins less than its radius from where it ends.
-  std::vector<haptics::BurrCut> cuts;
+  explicit Stroke(std::vector<haptics::BurrCut> cuts = {});
+  const std::vector<haptics::BurrCut>& cuts() const { return made_->cuts; }
+  /// textOf(); made once. Any thread.
+  const std::string& text() const;
+
+ private:
+  struct Made {
+    std::vector<haptics::BurrCut> cuts;
+    std::once_flag once = {};
+    std::string text = {};
+  };
+  std::shared_ptr<Made> made_;
 };
 
 inline constexpr std::size_t kMostCuts = 200'000;  ///< of a stroke: minutes of it
 
 /// One thing that the user took away, as a command: applied to the same volume it gives the same
 /// voxels, to the bit. A session file and a recording store it as text.
-using Edit =
-    std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces, RemoveHolder,
-                 Stroke>;
+using Edit = std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces,
+                          RemoveHolder, Stroke>;
 
 /// One line of JSON; numbers so that reading gives the same double.
 std::string textOf(const Edit& edit);

@@ -67,10 +67,11 @@ json wordsOfEdit(const RemoveHolder& holder) {
 
 /// Cuts that go on where the one before has ended are one way, a list of places.
 json wordsOfEdit(const Stroke& stroke) {
+  const std::vector<haptics::BurrCut>& cuts = stroke.cuts();
   json ways = json::array();
-  for (std::size_t n = 0; n < stroke.cuts.size(); ++n) {
-    const haptics::BurrCut& cut = stroke.cuts[n];
-    const haptics::BurrCut* before = n > 0 ? &stroke.cuts[n - 1] : nullptr;
+  for (std::size_t n = 0; n < cuts.size(); ++n) {
+    const haptics::BurrCut& cut = cuts[n];
+    const haptics::BurrCut* before = n > 0 ? &cuts[n - 1] : nullptr;
     if (before == nullptr || before->to_W != cut.from_W || before->radius != cut.radius ||
         before->isovalue != cut.isovalue)
       ways.push_back({{"radius_m", cut.radius},
@@ -165,7 +166,7 @@ Edit lassoFrom(EditWords& words) {
 Edit strokeFrom(EditWords& all) {
   const json& ways = all.take("ways");
   if (!ways.is_array() || ways.empty()) refuseWord();
-  Stroke stroke;
+  std::vector<haptics::BurrCut> cuts;
   for (const json& one : ways) {
     EditWords words{one};
     const double radius = words.number("radius_m", kLargestBurr);
@@ -173,7 +174,7 @@ Edit strokeFrom(EditWords& all) {
     const json& places = words.take("places_m");
     words.end();
     if (!(radius > 0.0) || !places.is_array() || places.size() < 6 || places.size() % 3 != 0 ||
-        places.size() / 3 + stroke.cuts.size() > kMostCuts + 1)
+        places.size() / 3 + cuts.size() > kMostCuts + 1)
       refuseWord();
     const auto place = [&](std::size_t n) {
       return haptics::Vec3{EditWords::numberOf(places[3 * n], kFarthest),
@@ -184,11 +185,11 @@ Edit strokeFrom(EditWords& all) {
     for (std::size_t n = 1; n < places.size() / 3; ++n) {
       const haptics::Vec3 to = place(n);
       if (!((to - from).norm() < radius)) refuseWord();
-      stroke.cuts.push_back({from, to, radius, isovalue});
+      cuts.push_back({from, to, radius, isovalue});
       from = to;
     }
   }
-  return stroke;
+  return Stroke{std::move(cuts)};
 }
 
 Edit editOfWords(const json& all) {
@@ -229,7 +230,16 @@ Edit editOfWords(const json& all) {
 
 }  // namespace
 
+Stroke::Stroke(std::vector<haptics::BurrCut> cuts)
+    : made_{std::make_shared<Made>(std::move(cuts))} {}
+
+const std::string& Stroke::text() const {
+  std::call_once(made_->once, [this] { made_->text = wordsOfEdit(*this).dump(); });
+  return made_->text;
+}
+
 std::string textOf(const Edit& edit) {
+  if (const auto* stroke = std::get_if<Stroke>(&edit)) return stroke->text();
   return std::visit([](const auto& kind) { return wordsOfEdit(kind).dump(); }, edit);
 }
 

@@ -24,10 +24,6 @@
         <translation>„%1“ wurde von einem früheren Palpate gespeichert, in einer Version der Ansichten, die dieses nicht liest; verwenden Sie jenes.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; was not saved: with so many notes and edits it would be larger than 1 MB; delete some and save again.</source>
-        <translation>„%1“ wurde nicht gespeichert: Mit so vielen Notizen und Bearbeitungen wäre die Datei größer als 1 MB; löschen Sie einige und speichern Sie noch einmal.</translation>
-    </message>
-    <message>
         <source>The measurement was cancelled.</source>
         <translation>Die Messung wurde abgebrochen.</translation>
     </message>
@@ -1823,6 +1819,10 @@
         <source>The table of names beside the label map is not used: %1</source>
         <translation>Die Tabelle der Namen neben der Segmentierung wird nicht verwendet: %1</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; was not saved: with so many notes and edits it would be larger than 64 MB; delete some and save again.</source>
+        <translation>„%1“ wurde nicht gespeichert: Mit so vielen Notizen und Bearbeitungen wäre die Datei größer als 64 MB; löschen Sie einige und speichern Sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -1926,6 +1926,21 @@
     <message>
         <source>A report of Palpate&apos;s last actions. It contains no names of patients, files or servers, and stays on this machine unless you copy it.</source>
         <translation>Ein Bericht über die letzten Aktionen von Palpate. Er enthält keine Namen von Patienten, Dateien oder Servern und bleibt auf diesem Rechner, solange Sie ihn nicht kopieren.</translation>
+    </message>
+</context>
+<context>
+    <name>app::CutController</name>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>%L1 mm</source>
+        <translation>%L1 mm</translation>
+    </message>
+    <message>
+        <source>Burr, %1</source>
+        <translation>Bohrer, %1</translation>
     </message>
 </context>
 <context>
@@ -3521,6 +3536,93 @@
     </message>
 </context>
 <context>
+    <name>ui::CutPanel</name>
+    <message>
+        <source>Speed of the burr</source>
+        <translation>Drehzahl des Bohrers</translation>
+    </message>
+    <message>
+        <source> /min</source>
+        <translation> /min</translation>
+    </message>
+    <message>
+        <source>Energy that a cubic millimetre takes</source>
+        <translation>Energie, die ein Kubikmillimeter braucht</translation>
+    </message>
+    <message>
+        <source> J/mm³</source>
+        <translation> J/mm³</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Colour what was cut</source>
+        <translation>Geschnittenes färben</translation>
+    </message>
+    <message>
+        <source>Where the surface is a mesh, faces that a burr has cut stand out</source>
+        <translation>Wo die Oberfläche ein Netz ist, heben sich geschnittene Flächen ab</translation>
+    </message>
+    <message>
+        <source>Turns in a minute: a faster burr removes more with the same force</source>
+        <translation>Umdrehungen in einer Minute: Ein schnellerer Bohrer nimmt mit derselben Kraft mehr weg</translation>
+    </message>
+    <message>
+        <source>What it takes to remove a cubic millimetre: the more, the slower</source>
+        <translation>Was es braucht, einen Kubikmillimeter wegzunehmen: je mehr, desto langsamer</translation>
+    </message>
+    <message>
+        <source>Takes the last stroke or edit back</source>
+        <translation>Nimmt den letzten Zug oder die letzte Bearbeitung zurück</translation>
+    </message>
+    <message>
+        <source>Makes the stroke or edit again</source>
+        <translation>Macht den Zug oder die Bearbeitung noch einmal</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Choose a burr to cut. The file never changes.</source>
+        <translation>Wählen Sie zum Schneiden einen Bohrer. Die Datei ändert sich nie.</translation>
+    </message>
+    <message>
+        <source>The burr is being prepared.</source>
+        <translation>Der Bohrer wird vorbereitet.</translation>
+    </message>
+    <message>
+        <source>A structure is solid for the touch, and would be cut. Let it be felt in another way to cut.</source>
+        <translation>Eine Struktur ist für das Abtasten fest und würde geschnitten. Lassen Sie sie zum Schneiden anders spürbar sein.</translation>
+    </message>
+    <message>
+        <source>Hold %1 in the 3-D view to cut.</source>
+        <translation>Halten Sie zum Schneiden in der 3-D-Ansicht %1.</translation>
+    </message>
+    <message>
+        <source>The burr turns: %L1 N</source>
+        <translation>Der Bohrer dreht sich: %L1 N</translation>
+    </message>
+    <message>
+        <source>Nothing was cut yet.</source>
+        <translation>Es wurde noch nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>Removed: %1 mm³. Strokes: %2, the last %3 mm³.</source>
+        <translation>Entfernt: %1 mm³. Züge: %2, der letzte %3 mm³.</translation>
+    </message>
+</context>
+<context>
     <name>ui::DevicePanel</name>
     <message>
         <source>Stiffness in N/m</source>
@@ -4680,6 +4782,14 @@
     <message>
         <source>Up to the device&apos;s rated stiffness. Without it, a stiffness at which the device and a light hand may shake each other cannot be set.</source>
         <translation>Bis zum Nennwert des Geräts. Ohne dies lässt sich keine Steifigkeit einstellen, bei der das Gerät und eine leichte Hand einander zum Zittern bringen können.</translation>
+    </message>
+    <message>
+        <source>While this button, or %1 in the 3-D view, is held, the burr turns and cuts</source>
+        <translation>Solange diese Taste oder %1 in der 3-D-Ansicht gehalten wird, dreht sich der Bohrer und schneidet</translation>
+    </message>
+    <message>
+        <source>Burr</source>
+        <translation>Bohrer</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8380,10 @@
         <source>Drag: turns. Wheel: nearer. Middle drag: shifts. %1 takes the tool only while the mouse is the hand (tab Touch).</source>
         <translation>Ziehen: dreht. Rad: näher. Mitte ziehen: verschiebt. %1 nimmt das Werkzeug nur, solange die Maus die Hand ist (Reiter Tasten).</translation>
     </message>
+    <message>
+        <source>Hold %1: cuts.</source>
+        <translation>%1 halten: schneidet.</translation>
+    </message>
 </context>
 <context>
     <name>ui::bindings</name>
@@ -8828,6 +8942,10 @@
     <message>
         <source>shows the structure, or hides it</source>
         <translation>zeigt die Struktur oder verbirgt sie</translation>
+    </message>
+    <message>
+        <source>turns the burr, which cuts what it is pressed against</source>
+        <translation>dreht den Bohrer, der schneidet, wogegen er gedrückt wird</translation>
     </message>
 </context>
 </TS>

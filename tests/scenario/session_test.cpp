@@ -230,8 +230,7 @@ struct MillingMouse {
       session.latest(snapshot);
       std::array<haptics::BurrCut, 64> some;
       while (const std::size_t count = session.cuts(some))
-        stroke.cuts.insert(stroke.cuts.end(), some.begin(),
-                           some.begin() + static_cast<std::ptrdiff_t>(count));
+        made.insert(made.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
       if (holds()) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds{10});
     }
@@ -239,10 +238,10 @@ struct MillingMouse {
   }
   /// Holds the key until there are so many cuts more.
   bool cutsMore(std::size_t count) {
-    const std::size_t before = stroke.cuts.size();
+    const std::size_t before = made.size();
     return until([&] { return snapshot.can_cut && !snapshot.cuts; }, false) &&
            until([&] { return snapshot.scene == stage.scene->id && snapshot.can_cut; }, false) &&
-           until([&] { return stroke.cuts.size() >= before + count; }, true);
+           until([&] { return made.size() >= before + count; }, true);
   }
 
   static inline const haptics::Pose kAbove = at(0, 0, 0.03), kPressed = at(0, 0, 0.02);
@@ -250,7 +249,7 @@ struct MillingMouse {
   haptics::Session session;
   std::shared_ptr<const haptics::Scene> touched;
   Snapshot snapshot;
-  datasets::Stroke stroke;
+  std::vector<haptics::BurrCut> made;
 };
 
 TEST(Session, CutsWithWhatItWasGivenWhateverHandHasTheToolAndTellsEachCut) {
@@ -271,8 +270,8 @@ TEST(Session, CutsWithWhatItWasGivenWhateverHandHasTheToolAndTellsEachCut) {
   session.close();
   milling.until([] { return true; }, false);
   // the last cut may be under way: it is made whole here
-  const auto made =
-      datasets::edited(milling.stage.scene->volume, std::vector<datasets::Edit>{milling.stroke});
+  const auto made = datasets::edited(milling.stage.scene->volume,
+                                     std::vector<datasets::Edit>{datasets::Stroke{milling.made}});
   ASSERT_TRUE(made);
   const haptics::Volume& left = *milling.touched->volume;
   const std::size_t bytes = std::size_t(left.grid.voxelCount()) * haptics::sizeOf(left.type);

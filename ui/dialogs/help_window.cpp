@@ -29,6 +29,7 @@ constexpr std::pair<const char*, const char*> kPages[] = {{"surfaceSection", "is
                                                           {"toolSection", "tools"},
                                                           {"performanceSection", "performance"},
                                                           {"editSection", "edits"},
+                                                          {"cutSection", "cutting"},
                                                           {"marksSection", "measures"},
                                                           {"structuresSection", "structures"},
                                                           {"deviceSection", "devices"},

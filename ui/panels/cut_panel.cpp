@@ -152,11 +152,12 @@ void CutPanel::showState(State state, double force) {
 }
 
 void CutPanel::show(const CutTold& told) {
-  removed_->setText(
-      told.strokes == 0 && told.all_mm3 == 0.0
-          ? tr("Nothing was cut yet.")
-          : tr("Removed: %1 mm³ in %n strokes, the last of %2 mm³", nullptr, told.strokes)
-                .arg(shown(told.all_mm3), shown(told.last_mm3)));
+  removed_->setText(told.strokes == 0 && told.all_mm3 == 0.0
+                        ? tr("Nothing was cut yet.")
+                        : tr("Removed: %1 mm³. Strokes: %2, the last %3 mm³.")
+                              .arg(shown(told.all_mm3))
+                              .arg(told.strokes)
+                              .arg(shown(told.last_mm3)));
 }
 
 void CutPanel::setSteps(bool undo, bool redo) {

@@ -178,10 +178,10 @@ void CutController::takeCuts() {
             carving.lowerRow(live_->voxels.get(), live_->uncut->voxels.get(), haptics::Material{}));
       if (removed.voxels > 0) changed = joined(changed, carving.box());
       removed_ += removed.volume;
-      stroke_.cuts.push_back(cuts[n]);
+      stroke_.push_back(cuts[n]);
       cut_ = true;
       since_cut_.start();
-      if (stroke_.cuts.size() == datasets::kMostCuts) endStroke();
+      if (stroke_.size() == datasets::kMostCuts) endStroke();
     }
   }
   if (changed == haptics::VoxelBox{}) return;
@@ -190,8 +190,8 @@ void CutController::takeCuts() {
 }
 
 void CutController::endStroke() {
-  if (stroke_.cuts.empty()) return;
-  const datasets::Stroke stroke = std::exchange(stroke_, {});
+  if (stroke_.empty()) return;
+  const datasets::Stroke stroke{std::exchange(stroke_, {})};
   const double removed = std::exchange(removed_, 0.0);
   if (removed <= 0.0) return;  // it met nothing
   removed_by_.resize(strokes_);

@@ -89,12 +89,12 @@ class CutController : public QObject {
   bool cut_ = false;          ///< something was cut in the scene
   bool key_ = false;          ///< of the burr is down
   bool replaying_ = false;
-  datasets::Stroke stroke_;         ///< under way
-  QElapsedTimer since_cut_;         ///< the last
-  double removed_ = 0.0;            ///< m3, by it
-  std::vector<double> removed_by_;  ///< m3: strokes in force, and those that were taken back
-  std::size_t strokes_ = 0;         ///< in force
-  std::function<void()> waiting_;   ///< of whenUncut()
+  std::vector<haptics::BurrCut> stroke_;  ///< under way
+  QElapsedTimer since_cut_;               ///< the last
+  double removed_ = 0.0;                  ///< m3, by it
+  std::vector<double> removed_by_;        ///< m3: strokes in force, and those that were taken back
+  std::size_t strokes_ = 0;               ///< in force
+  std::function<void()> waiting_;         ///< of whenUncut()
 };
 
 }  // namespace app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/views/journal_controller.h"
 
+#include <algorithm>
 #include <cmath>
 #include <system_error>
 #include <utility>
@@ -29,15 +30,20 @@ bool toolMoved(const ViewFile& a, const ViewFile& b, double metres, double radia
          2.0 * std::atan2(turn.vec().norm(), std::abs(turn.w())) > radians;
 }
 
-/// All but marks and the tool's place.
+/// All but marks, edits and the tool's place.
 std::string restOf(ViewFile view) {
   view.marks.clear();
+  view.edits.clear();
   view.X_WP.reset();
   return textOf(view);
 }
 
 bool differ(const ViewFile& a, const ViewFile& b) {
-  return a.marks != b.marks || toolMoved(a, b, kRest, kRestTurn) || restOf(a) != restOf(b);
+  const auto same = [](const datasets::Edit& one, const datasets::Edit& other) {
+    return datasets::textOf(one) == datasets::textOf(other);
+  };
+  return a.marks != b.marks || toolMoved(a, b, kRest, kRestTurn) || restOf(a) != restOf(b) ||
+         !std::ranges::equal(a.edits, b.edits, same);
 }
 
 /// Whether the user did something with the scan, besides looking at it.

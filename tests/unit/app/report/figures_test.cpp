@@ -130,6 +130,25 @@ TEST(Figures, ForcesAreMeansOverTimeAndLargestOfAll) {
   EXPECT_DOUBLE_EQ(figures.largest_force.at, 0.004);
 }
 
+TEST(Figures, StrokesAreCountedAndWhatTheyRemovedIsSummedUp) {
+  std::vector<Tick> ticks;
+  // two strokes of 100 ms at 2 N and 4 N, the first with a pause of 50 ms, and then nothing
+  for (int n = 0; n < 1000; ++n) {
+    ticks.push_back(tickAt(n));
+    Tick& tick = ticks.back();
+    const bool first = n < 150, second = n >= 400 && n < 500;
+    tick.cuts = (first && (n < 50 || n >= 100)) || second;
+    tick.force = first ? 2.0 : second ? 4.0 : 9.0;
+    if (tick.cuts && n % 2 == 0) tick.removed = 1e-11;
+  }
+  const Figures figures = figuresOf(ticks);
+  EXPECT_EQ(figures.strokes, 2);
+  EXPECT_NEAR(figures.cut_time, 0.2, 1e-9);
+  EXPECT_NEAR(figures.mean_cut_force, 3.0, 1e-9);
+  EXPECT_NEAR(figures.removed, 100 * 1e-11, 1e-18);
+  EXPECT_TRUE(std::isnan(figuresOf({tickAt(0), tickAt(1)}).mean_cut_force));
+}
+
 TEST(Figures, AShortPausePartsNoContacts) {
   std::vector<Tick> ticks;
   for (int n = 0; n < 600; ++n) {

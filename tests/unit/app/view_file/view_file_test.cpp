@@ -359,7 +359,7 @@ TEST(ViewFile, RefusesTextThatIsNoJsonOrNotWhole) {
 TEST(ViewFile, RefusesWhatIsTooLargeAndWhatCannotBeRead) {
   const support::ScratchFolder folder;
   const auto large = folder.write("large.palpate-view", std::string(app::kMostViewBytes + 1, ' '));
-  EXPECT_NE(sentence(app::readViewFile(large).error()).find("1 MB"), std::string::npos);
+  EXPECT_NE(sentence(app::readViewFile(large).error()).find("64 MB"), std::string::npos);
   EXPECT_NE(
       sentence(app::readViewFile(folder / "none.palpate-view").error()).find("cannot be opened"),
       std::string::npos);

@@ -95,15 +95,15 @@ Edit randomEdit(const Grid& grid, Random& random) {
     case 4:
       return RemovePiece{random.box(half), random.in(600.0, 900.0)};
     case 5: {
-      Stroke stroke;
+      std::vector<BurrCut> cuts;
       const double radius = random.in(1.0, 6.0) * h, isovalue = random.in(-200.0, 400.0);
       Vec3 at = random.box(half);
       for (int n = random.below(30); n >= 0; --n) {
         const Vec3 to = at + 0.5 * radius * random.direction();
-        stroke.cuts.push_back({at, to, radius, isovalue});
+        cuts.push_back({at, to, radius, isovalue});
         at = to;
       }
-      return stroke;
+      return Stroke{std::move(cuts)};
     }
     default:
       return RemoveSmallPieces{random.in(-200.0, 900.0), random.in(1.0, 200.0) * h * h * h};

@@ -31,11 +31,11 @@ LassoCut triangle() {
 Stroke stroke() {
   const Vec3 a{0.1, 1.0 / 3.0, -0.2}, b = a + Vec3{1e-5, 0.0, 1.0 / 7e5}, c = b + Vec3{0, 1e-4, 0};
   const Vec3 d{-0.1, 0.0, 0.0};
-  return {{{a, a, 2e-3, 300.0},
-           {a, b, 2e-3, 300.0},
-           {b, c, 2e-3, 300.0},
-           {d, d, 2e-3, 300.0},
-           {d, d, 2e-3, 301.5}}};
+  return Stroke{{{a, a, 2e-3, 300.0},
+                 {a, b, 2e-3, 300.0},
+                 {b, c, 2e-3, 300.0},
+                 {d, d, 2e-3, 300.0},
+                 {d, d, 2e-3, 301.5}}};
 }
 
 std::vector<Edit> oneOfEach() {
@@ -67,7 +67,7 @@ TEST(EditText, ComesBackToTheBit) {
   EXPECT_EQ(after.until, before.until);
   EXPECT_EQ(after.inside, before.inside);
   EXPECT_EQ(after.isovalue, before.isovalue);
-  EXPECT_EQ(std::get<Stroke>(editFrom(textOf(stroke())).value()).cuts, stroke().cuts);
+  EXPECT_EQ(std::get<Stroke>(editFrom(textOf(stroke())).value()).cuts(), stroke().cuts());
   datasets::Random random{19};
   for (int n = 0; n < 1000; ++n) {
     const PlaneCut cut{random.box(1.0), random.direction(), random.in(-1000.0, 3000.0)};
@@ -88,16 +88,16 @@ TEST(EditText, OfMostCornersIsRead) {
 }
 
 TEST(EditText, OfMostCutsIsRead) {
-  Stroke longest;
+  std::vector<BurrCut> cuts;
   for (std::size_t n = 0; n < kMostCuts; ++n) {
     const Vec3 from{1e-6 * double(n), 1.0 / 3.0, -1.0 / 7.0};
-    longest.cuts.push_back({from, {1e-6 * double(n + 1), 1.0 / 3.0, -1.0 / 7.0}, 3e-3, 300.0});
+    cuts.push_back({from, {1e-6 * double(n + 1), 1.0 / 3.0, -1.0 / 7.0}, 3e-3, 300.0});
   }
-  const auto back = editFrom(textOf(longest));
+  const auto back = editFrom(textOf(Stroke{cuts}));
   ASSERT_TRUE(back);
-  EXPECT_EQ(std::get<Stroke>(*back).cuts, longest.cuts);
-  longest.cuts.push_back(longest.cuts.back());
-  EXPECT_FALSE(editFrom(textOf(longest)));
+  EXPECT_EQ(std::get<Stroke>(*back).cuts(), cuts);
+  cuts.push_back(cuts.back());
+  EXPECT_FALSE(editFrom(textOf(Stroke{cuts})));
 }
 
 /// The text with a part of it replaced.
@@ -148,7 +148,8 @@ TEST(EditText, RefusesWhatIsNone) {
       with(cuts, "\"places_m\":[", "\"places_m\":[0.1,"),
       with(cuts, ",\"radius_m\":0.002", ""),
       "{\"edit\":\"stroke\",\"ways\":[]}",
-      "{\"edit\":\"stroke\",\"ways\":[{\"isovalue\":1.0,\"places_m\":[0.1,0.1,0.1],\"radius_m\":0.1}]}",
+      "{\"edit\":\"stroke\",\"ways\":[{\"isovalue\":1.0,\"places_m\":[0.1,0.1,0.1],\"radius_m\":0."
+      "1}]}",
   };
   PlaneCut slanted = std::get<PlaneCut>(oneOfEach()[1]);
   slanted.normal_W *= 1.01;
