@@ -4,6 +4,7 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -19,6 +20,8 @@ namespace ui {
 namespace {
 
 constexpr double kForceStep = 0.1;  // N
+constexpr int kInRow = 4;           // burrs
+constexpr int kLeast = 40;          // px: four stand in the narrowest panel
 
 NumberBox* numberOf(const char* name, const QString& accessible, double least, double most,
                     double step, int decimals, const QString& suffix, double value) {
@@ -52,7 +55,7 @@ QString shown(double mm3) { return QLocale().toString(mm3, 'f', mm3 < 100.0 ? 1 
 CutPanel::CutPanel(QWidget* parent)
     : QWidget(parent),
       burrs_(new QButtonGroup(this)),
-      burr_row_(new QHBoxLayout),
+      burr_rows_(new QGridLayout),
       state_(wordsOf("cutState")),
       removed_(wordsOf("cutRemoved")),
       speed_(numberOf("burrSpeed", tr("Speed of the burr"), 1'000.0, 100'000.0, 1'000.0, 0,
@@ -62,7 +65,7 @@ CutPanel::CutPanel(QWidget* parent)
       undo_(new QPushButton(tr("Undo"))),
       redo_(new QPushButton(tr("Redo"))),
       tint_(new QCheckBox(tr("Colour what was cut"))) {
-  burr_row_->setSpacing(4);
+  burr_rows_->setSpacing(4);
   burrs_->setExclusive(false);
   undo_->setObjectName("undoStroke");
   redo_->setObjectName("redoStroke");
@@ -87,7 +90,7 @@ CutPanel::CutPanel(QWidget* parent)
   steps->addStretch(1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addLayout(burr_row_);
+  column->addLayout(burr_rows_);
   column->addWidget(state_);
   column->addLayout(form);
   column->addWidget(removed_);
@@ -103,6 +106,7 @@ CutPanel::CutPanel(QWidget* parent)
 }
 
 void CutPanel::setBurrs(const QList<BurrChoice>& burrs) {
+  int count = 0;
   for (const BurrChoice& burr : burrs) {
     auto* button = new QToolButton;
     button->setObjectName(QStringLiteral("cut_") + burr.id);
@@ -110,9 +114,11 @@ void CutPanel::setBurrs(const QList<BurrChoice>& burrs) {
     button->setToolTip(burr.tip);
     button->setAccessibleName(burr.tip);
     button->setCheckable(true);
+    button->setMinimumWidth(kLeast);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     burrs_->addButton(button);
-    burr_row_->addWidget(button);
+    burr_rows_->addWidget(button, count / kInRow, count % kInRow);
+    ++count;
     connect(button, &QToolButton::clicked, this, [this, button, id = burr.id] {
       button->setChecked(!button->isChecked());  // it is down when the tool is there
       emit burrChosen(id);

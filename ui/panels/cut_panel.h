@@ -7,7 +7,7 @@
 
 class QButtonGroup;
 class QCheckBox;
-class QHBoxLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -66,7 +66,7 @@ class CutPanel : public QWidget {
 
  private:
   QButtonGroup* burrs_;
-  QHBoxLayout* burr_row_;
+  QGridLayout* burr_rows_;
   QLabel *state_, *removed_;
   NumberBox *speed_, *energy_;
   QPushButton *undo_, *redo_;
