@@ -68,8 +68,9 @@ class Session {
   /// moves. The tool must be legal at X_WT. Without an open hand, the next one starts there.
   void bring(const Pose& X_WT, const Pose& X_WH);
 
-  /// Lets the tool cut in the present scene from now on, for every hand: what was made of that scene.
-  /// Another is destroyed. It ends with the scene.
+  /// Lets the tool cut in the present scene from now on, for every hand: what was made of that
+  /// scene, in place of what cut there before and must not have cut yet. Of another scene it is
+  /// destroyed. It ends with the scene.
   void cut(std::unique_ptr<Cutting> cutting);
   /// The burr's key is down, or up. Down, it counts for a quarter of a second: say it at display
   /// rate.

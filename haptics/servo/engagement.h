@@ -42,6 +42,7 @@ class SceneHandOver {
     delete next_.load();
     delete left_.load();
     delete cutting_.load();
+    delete cutting_left_.load();
     delete waiting_;
     delete current_;
   }
@@ -58,9 +59,10 @@ class SceneHandOver {
     std::unique_ptr<Cutting> never_taken{
         cutting_.exchange(cutting.release(), std::memory_order_acq_rel)};
   }
-  /// Setting thread: destroys the engagement that the servo thread has left.
+  /// Setting thread: destroys what the servo thread has left.
   void collect() {
     std::unique_ptr<Engagement> left{left_.exchange(nullptr, std::memory_order_acq_rel)};
+    std::unique_ptr<Cutting> cutting{cutting_left_.exchange(nullptr, std::memory_order_acq_rel)};
   }
   /// Servo thread, at a tick boundary: adopts a new engagement if there is one. Returns whether it
   /// did.
@@ -82,17 +84,22 @@ class SceneHandOver {
     current_ = next;
     return true;
   }
-  /// Servo thread, at a tick boundary: takes what cuts in the present scene if it was offered. Its
-  /// voxels and bounds are those of the scene, so the proxy knows nothing wrong.
+  /// Servo thread, at a tick boundary: takes what cuts in the present scene if it was offered, in
+  /// place of what did, which must not have cut. Its voxels and bounds are those of the scene, so
+  /// the proxy knows nothing wrong.
   void takeCutting() HAPTICS_RT {
     // what did not fit goes back for it, to be destroyed there
     if (cutting_.load(std::memory_order_relaxed) != nullptr)
       waiting_ = cutting_.exchange(waiting_, std::memory_order_acq_rel);
-    if (waiting_ == nullptr || current_ == nullptr || current_->cutting ||
-        waiting_->scene()->id != current_->scene->id)
+    if (waiting_ == nullptr || current_ == nullptr || waiting_->scene()->id != current_->scene->id)
       return;
+    if (current_->cutting) {
+      if (cutting_left_.load(std::memory_order_acquire) != nullptr) return;
+      cutting_left_.store(current_->cutting.release(), std::memory_order_release);
+    } else {
+      current_->uncut = std::move(current_->scene);
+    }
     current_->cutting.reset(std::exchange(waiting_, nullptr));
-    current_->uncut = std::move(current_->scene);
     current_->scene = current_->cutting->scene();
   }
   /// What cuts in the present engagement, or null; when the servo thread has ended.
@@ -106,6 +113,7 @@ class SceneHandOver {
   std::atomic<Engagement*> next_{nullptr};
   std::atomic<Engagement*> left_{nullptr};
   std::atomic<Cutting*> cutting_{nullptr};  ///< offered, or given back
+  std::atomic<Cutting*> cutting_left_{nullptr};
   Cutting* waiting_ = nullptr;  ///< the servo thread's: of a scene that it has not adopted
   Engagement* current_ = nullptr;
 };

@@ -300,6 +300,21 @@ TEST(Session, LetsNothingCutInAnotherScene) {
       haptics::CarvedScene::of(*milling.stage.scene).value(), haptics::CutLaw{}));
   ASSERT_TRUE(milling.until([&] { return milling.snapshot.can_cut; }, false));
   EXPECT_EQ(milling.snapshot.scene, milling.stage.scene->id);
+  // one that follows another law takes its place, and it is destroyed here
+  const auto given = [&] {
+    auto cutting = std::make_unique<haptics::Cutting>(
+        haptics::CarvedScene::of(*milling.stage.scene).value(), haptics::CutLaw{});
+    const std::weak_ptr<const haptics::Scene> scene = cutting->scene();
+    session.cut(std::move(cutting));
+    return scene;
+  };
+  const auto before = given();
+  const std::uint64_t then = milling.snapshot.tick;
+  ASSERT_TRUE(milling.until([&] { return milling.snapshot.tick > then + 10; }, false));
+  const auto after = given();
+  ASSERT_TRUE(milling.until([&] { return before.expired(); }, false));
+  EXPECT_FALSE(after.expired());
+  EXPECT_TRUE(milling.snapshot.can_cut);
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ void CutController::showScene(const std::vector<datasets::Edit>& edits) {
   if (live_ && scanOf(live_->uncut) != scanOf(shared_.shown->volume())) {
     stroke_ = {};
     removed_ = 0.0;
+    lowered_ = false;
     removed_by_.assign(strokes_, 0.0);
   }
   endStroke();
@@ -138,6 +139,7 @@ void CutController::deliver(std::uint64_t scene, haptics::Expected<Made> made) {
       window_.messages().showMessage(sentenceOf(made.error()));
     return callWaiting();
   }
+  takeCuts();  // of the scene before: they are gone with it
   live_ = Live{shared_.shown->volume(), std::move(made->live), std::move(made->voxels)};
   law_ = QString::fromStdString(wordsOf(made->cutting->law()));
   tellLaw();
@@ -178,6 +180,7 @@ void CutController::takeCuts() {
             carving.lowerRow(live_->voxels.get(), live_->uncut->voxels.get(), haptics::Material{}));
       if (removed.voxels > 0) changed = joined(changed, carving.box());
       removed_ += removed.volume;
+      lowered_ = lowered_ || removed.voxels > 0;
       stroke_.push_back(cuts[n]);
       cut_ = true;
       since_cut_.start();
@@ -193,7 +196,7 @@ void CutController::endStroke() {
   if (stroke_.empty()) return;
   const datasets::Stroke stroke{std::exchange(stroke_, {})};
   const double removed = std::exchange(removed_, 0.0);
-  if (removed <= 0.0) return;  // it met nothing
+  if (!std::exchange(lowered_, false)) return;  // it met nothing
   removed_by_.resize(strokes_);
   removed_by_.push_back(removed);
   emit strokeMade(stroke, scene_);
@@ -201,7 +204,8 @@ void CutController::endStroke() {
 
 void CutController::changeLaw() {
   if (!shared_.shown || replaying_ || !law()) return;
-  if (cut_)
+  takeCuts();
+  if (cut_ || shared_.snapshot.cuts)
     emit freshWanted();
   else
     prepare();

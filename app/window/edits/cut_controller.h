@@ -92,6 +92,7 @@ class CutController : public QObject {
   std::vector<haptics::BurrCut> stroke_;  ///< under way
   QElapsedTimer since_cut_;               ///< the last
   double removed_ = 0.0;                  ///< m3, by it
+  bool lowered_ = false;                  ///< any voxel, by it
   std::vector<double> removed_by_;        ///< m3: strokes in force, and those that were taken back
   std::size_t strokes_ = 0;               ///< in force
   std::function<void()> waiting_;         ///< of whenUncut()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/edits/edit_queue.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -45,7 +46,10 @@ void EditQueue::begin(std::shared_ptr<const haptics::Volume> scan) {
 }
 
 void EditQueue::want(Job job) {
-  queue_.push_back(std::move(job));
+  // what is cut is cut: it does not wait behind an undo that waits for the tool
+  const auto at =
+      job.felt_in == 0 ? queue_.end() : std::ranges::find(queue_, std::uint64_t{0}, &Job::felt_in);
+  queue_.insert(at, std::move(job));
   startNext();
 }
 
@@ -55,7 +59,7 @@ void EditQueue::cancel() {
 }
 
 bool EditQueue::raises(const Job& job) const {
-  if (job.step == Step::Renew) return false;
+  if (job.step == Step::Renew) return job.puts_back;
   if (job.step != Step::Apply) return true;
   const auto* crop = std::get_if<datasets::Crop>(&job.edits.front());
   if (crop == nullptr) return false;
@@ -121,6 +125,8 @@ void EditQueue::cancelWait() {
 
 void EditQueue::startNext() {
   if (running_ || held_ || queue_.empty() || !shared_.shown) return;
+  // the scene that comes of it would not have the stroke under way
+  if (queue_.front().felt_in == 0 && shared_.snapshot.cuts) return;
   if (raises(queue_.front()) && !isClear()) return showWait(queue_.front().step);
   endWait();
   running_ = std::move(queue_.front());
@@ -212,6 +218,8 @@ haptics::Expected<void> EditQueue::built(Made& made, const Loaded& shown,
 
 void EditQueue::deliver(haptics::Expected<Made> made) {
   if (!made) {
+    // the touch has a stroke that is no edit: back to what is one
+    if (running_->felt_in != 0) queue_.push_front({.step = Step::Renew, .puts_back = true});
     running_.reset();
     loading_.end();
     haptics::Error& error = made.error();

@@ -37,6 +37,7 @@ class EditQueue : public QObject {
     Step step = Step::Apply;
     std::vector<datasets::Edit> edits = {};
     std::uint64_t felt_in = 0;  ///< of a stroke: id of the scene that has its cuts; 0: none has
+    bool puts_back = false;     ///< of Renew: the touch has what the volume has not
   };
 
   EditQueue(ui::Messages& messages, ui::Loading& loading, SharedState& shared);
