@@ -69,9 +69,6 @@ Settings underGrip(Settings settings, ServoRate rate, const Scene* scene) {
   return settings;
 }
 
-/// m: the mouse and the simulated hands turn a tool as if it were their own.
-double gyrationOf(const Scene& scene) { return std::sqrt(scene.tool.shell.inertia.trace() / 3.0); }
-
 HandMotion motionOf(HandKind hand) {
   switch (hand) {
     case HandKind::Slide:
@@ -122,12 +119,11 @@ class Session::Loop {
   std::deque<BurrCut> cuts_left;     ///< of a loop that has ended
   Pose X_start = Pose::Identity();
   Settings settings;
-  std::optional<double> mouse_gyration;  ///< m, of the open mouse's grip; none: it is not open
-  std::optional<DeviceRating> rating;    ///< of the real device that is open
-  bool lifted = false;                   ///< it may have all that it is rated for
-  Warmth warmth;                         ///< of the one before
-  std::optional<ServoRate> wished;       ///< of the next hand
-  ServoRate rate;                        ///< of the open hand
+  std::optional<DeviceRating> rating;  ///< of the real device that is open
+  bool lifted = false;                 ///< it may have all that it is rated for
+  Warmth warmth;                       ///< of the one before
+  std::optional<ServoRate> wished;     ///< of the next hand
+  ServoRate rate;                      ///< of the open hand
   Handling handling;
 
   /// Takes over, with the proxy at X_WP.
@@ -166,7 +162,7 @@ Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
   const ServoRate rate = loop_->wished.value_or(ServoRate{});
   const Settings settings = underGrip(loop_->settings, rate, loop_->scene.get());
   Grip grip;
-  grip.gyration = gyrationOf(*loop_->scene);
+  grip.gyration = gyrationOf(loop_->scene->tool.shell);
   Pose X_start = from.value_or(loop_->X_start);
   std::optional<Hand> path;
   if (hand != HandKind::Mouse) {
@@ -185,7 +181,6 @@ Expected<void> Session::open(HandKind hand, const std::optional<Pose>& from) {
   close();
   loop_->rate = rate;
   loop_->X_start = X_start;
-  if (hand == HandKind::Mouse) loop_->mouse_gyration = grip.gyration;
   grip.X_WD = X_start;
   std::unique_ptr<Device> device;
   if (path) {
@@ -222,7 +217,6 @@ void Session::close() {
   }
   loop_->servo.reset();
   loop_->rating.reset();
-  loop_->mouse_gyration.reset();
   loop_->lifted = false;
   loop_->leaving.clear();
   loop_->unwatched.clear();
@@ -234,10 +228,6 @@ void Session::adopt(std::shared_ptr<const Scene> scene, const Pose& start_W, boo
   loop_->cutting.reset();
   loop_->X_start = start_W;
   if (!loop_->servo) return;
-  // a grip that was made for a small tool would let a long one swing
-  if (loop_->mouse_gyration && *loop_->mouse_gyration != gyrationOf(*loop_->scene) &&
-      open(HandKind::Mouse, start_W))
-    return;
   // with no room near, the proxy starts where it is and is brought out, force faded
   const Pose X_legal =
       legalPoseNear(*loop_->scene, loop_->settings.isovalue, start_W).value_or(start_W);

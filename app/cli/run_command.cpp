@@ -419,7 +419,7 @@ Outcome run(const RunOptions& options) {
   loop.watch = *watch;
   Nearest nearest{*watch};
 #endif
-  loop.grip.gyration = std::sqrt((*scene)->tool.shell.inertia.trace() / 3.0);
+  loop.grip.gyration = haptics::gyrationOf((*scene)->tool.shell);
   if (options.cut) {
     const auto burr = burrOf(options.tool, (*scene)->tool.shell);
     if (!burr)

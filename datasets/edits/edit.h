@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -81,9 +82,10 @@ class Stroke {
 
  private:
   struct Made {
-    std::vector<haptics::BurrCut> cuts;
-    std::once_flag once = {};
-    std::string text = {};
+    explicit Made(std::vector<haptics::BurrCut> all) : cuts{std::move(all)} {}
+    const std::vector<haptics::BurrCut> cuts;
+    std::once_flag once;
+    std::string text;
   };
   std::shared_ptr<Made> made_;
 };

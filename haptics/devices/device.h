@@ -57,6 +57,9 @@ class Device {
     static_cast<void>(X_BD);
     static_cast<void>(X_pull);
   }
+  /// Servo thread only: a tool with another radius of gyration [m] is held from now on, where the
+  /// hand is a model: it turns a tool as if it were its own.
+  virtual void fit(double gyration) noexcept { static_cast<void>(gyration); }
 };
 
 /// Counts polls that failed in a row, to give a driver the status of a read.

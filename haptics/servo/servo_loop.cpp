@@ -93,6 +93,7 @@ std::int64_t ServoLoop::awaitTick(std::int64_t due) {
 }
 
 void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
+  if (period.has(StepFlags::kAdopted)) device_->fit(gyrationOf(period.engaged->scene->tool.shell));
   if (period.has(StepFlags::kAdopted) && period.engaged->X_WH)
     device_->place(period.engaged->proxy.X_WP, *period.engaged->X_WH);
   const DeviceStatus read = lost_ ? DeviceStatus::Lost : device_->read(reading_);

@@ -21,6 +21,7 @@ class Gripped : public Device {
     felt_ = wrench_B;
     return DeviceStatus::Ok;
   }
+  void fit(double gyration) noexcept override { grip_.gyration = gyration; }
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
   void resume() noexcept override { stopped_.store(false, std::memory_order_relaxed); }
 

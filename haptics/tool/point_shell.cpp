@@ -106,6 +106,10 @@ Expected<PointShell> makeShell(std::vector<Vec3> points) {
   return shell;
 }
 
+double gyrationOf(const PointShell& shell) HAPTICS_RT {
+  return std::sqrt(shell.inertia.trace() / 3.0);
+}
+
 double largestInertia(const Mat3& inertia) {
   return Eigen::SelfAdjointEigenSolver<Mat3>{inertia, Eigen::EigenvaluesOnly}.eigenvalues()[2];
 }

@@ -6,6 +6,7 @@
 
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
+#include "haptics/core/realtime.h"
 #include "haptics/core/triangle_mesh.h"
 
 namespace haptics {
@@ -42,6 +43,8 @@ Vec3 tipOf(const std::vector<Vec3>& points);
 
 /// The greatest principal inertia of a symmetric matrix, m².
 double largestInertia(const Mat3& inertia);
+/// m: radius of gyration of a ball that turns as easily as the tool does on average.
+double gyrationOf(const PointShell& shell) HAPTICS_RT;
 
 /// The mesh's vertices as the shell ([Chan 2011], 2.2), or with `point_count` > 0 that many
 /// points spread evenly by area; deterministic.

@@ -50,7 +50,7 @@ CutController::CutController(ui::MainWindow& window, SharedState& shared)
     const QString name = QString::fromStdString(tool.name);
     const QString size = tr("%L1 mm").arg(tool.tip * 1e3, 0, 'g', 2);
     const bool plain = name.startsWith(QLatin1String("burr-"));
-    const QString title = tr(tool.title.c_str());
+    const QString title = labelOf(ToolSource{.name = tool.name});
     burrs.append({name, plain ? size : title, plain ? tr("Burr, %1").arg(size) : title});
   }
   panel_->setBurrs(burrs);

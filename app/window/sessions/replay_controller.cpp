@@ -33,6 +33,7 @@ haptics::Snapshot snapshotOf(const haptics::Step& step, std::uint32_t scene) {
                           float(step.contacts[i].push)};
   }
   snapshot.near = step.near;
+  snapshot.cuts = (step.flags & haptics::StepFlags::kCut) != 0;
   snapshot.force_state = step.force_state;
   snapshot.late_ticks = step.late_ticks;
   snapshot.missed_ticks = step.missed_ticks;
@@ -133,16 +134,35 @@ void ReplayController::begin(std::unique_ptr<Replay> replay) {
     edits_ = digestOf(on_view_);
     shared_.identity.seek(shared_.shown->volume());
   }
+  readCuts();
   replay_->seek(std::exchange(first_, {}).value_or(replay_->track().begin));
 }
 
+void ReplayController::readCuts() {
+  cuts_.set({});
+  if (!replay_->recording().isCut()) return cut_reader_.abandon();
+  cut_reader_.start(
+      [path = replay_->path()](const background::Watch& watch) {
+        return ReplayedCuts::read(path, [&watch] { return !watch.cancelled(); });
+      },
+      [this](haptics::Expected<std::vector<ReplayedCuts::Cut>> cuts) {
+        // what cannot be read of it, the replay says when it comes there
+        if (!cuts || !replay_) return;
+        cuts_.set(std::move(*cuts));
+        show(shown_to_);
+      });
+}
+
 void ReplayController::drop() {
+  cut_reader_.abandon();
+  cuts_.set({});
   replay_.reset();
   shared_.replaying = shared_.replays_other = false;
 }
 
 void ReplayController::close() {
   if (!replay_) return;
+  if (cuts_.isShown()) on_view_ = {};  // the voxels on view are those that were cut
   drop();
   replay_bar_.hide();
   emit forcesCleared();
@@ -174,6 +194,7 @@ void ReplayController::showOnView(const EditedScan& edited) {
   edits_ = digestOf(edited.picture);
   if (on_view_.volume == edited.picture.volume) return;
   on_view_ = edited.picture;
+  cuts_.forget();
   views_.replace(edited.picture);
   views_.setTouched(touchedSurfaceOf(edited.scene));
   isovalue_.reset();
@@ -236,6 +257,8 @@ void ReplayController::show(double time) {
     isovalue_ = step.settings.isovalue;
     emit isovalueShown(on_view_, step.settings.isovalue);
   }
+  if (same_volume_ && !editor_.isRunning() && on_view_.volume)
+    cuts_.show(on_view_.volume, step.scene, step.sequence);
   const haptics::Snapshot snapshot = snapshotOf(step, shared_.shown->scene->id);
   views_.display(snapshot);
   touch_.display(snapshot);

@@ -11,6 +11,7 @@
 #include "app/background/task.h"
 #include "app/window/scan/shared_state.h"
 #include "app/window/sessions/replay.h"
+#include "app/window/sessions/replayed_cuts.h"
 #include "haptics/scene/scene.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/window/loading.h"
@@ -68,6 +69,8 @@ class ReplayController : public QObject {
     std::shared_ptr<const haptics::Scene> scene;  ///< its field is what slices and clicks ask
   };
   void showOnView(const EditedScan& edited);
+  /// Reads what a burr cut in the recording.
+  void readCuts();
 
   ui::Views& views_;
   ui::Messages& messages_;
@@ -84,6 +87,8 @@ class ReplayController : public QObject {
   ui::Picture on_view_;                 ///< of the scan, with the edits of the recording
   std::uint64_t edits_ = 0;             ///< digest of the edits on view, or being prepared
   background::Task<EditedScan> editor_;
+  ReplayedCuts cuts_{views_};
+  background::Task<std::vector<ReplayedCuts::Cut>> cut_reader_;
   bool same_volume_ = false;  ///< the volume on view is the recorded one, as far as known
 };
 

@@ -13,6 +13,7 @@
 #include "app/recording/recording.h"
 #include "app/recording/replay.h"
 #include "app/window/edits/edit_controller.h"
+#include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
@@ -21,6 +22,7 @@
 #include "tests/ui/window_support.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/views/volume_view.h"
+#include "ui/window/menus.h"
 #include "ui/window/views.h"
 
 namespace {
@@ -298,6 +300,34 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   EXPECT_EQ(difference->differing_cuts, 0);
   EXPECT_EQ(difference->carved_said, 2);  // at the mark and at the end
   EXPECT_EQ(difference->differing_carved, 0);
+
+  // and the replay shows what was cut then, there and back
+  const Vector3d first = at(1.0, -6.0), second = at(1.0, 2.0), last = at(1.0, 5.0);
+  const auto lies = [&](const Vector3d& p_mm) {
+    window().views().setCross(p_mm);
+    ui::SliceView& axial = slice(ui::Plane::Axial);
+    return axial.grab()
+               .toImage()
+               .pixelColor(axial.projected(p_mm).toPoint() + QPoint{2, -2})
+               .red() > 127;
+  };
+  EXPECT_FALSE(lies(last));
+  emit window().menus().openWanted(
+      QString::fromStdString((path.parent_path() / path.stem()).string()));
+  ASSERT_TRUE(waitFor([&] { return application_->replay() != nullptr; }));
+  const double begin = application_->replay()->track().begin;
+  const double end = application_->replay()->track().end;
+  for (int round = 0; round < 2; ++round) {
+    application_->replay()->seek(begin);
+    ASSERT_TRUE(waitFor([&] { return !lies(first) && lies(second) && lies(last); })) << round;
+    application_->replay()->seek(end);
+    ASSERT_TRUE(waitFor([&] { return !lies(second) && !lies(last); })) << round;
+  }
+  application_->replay()->seek(begin);
+  ASSERT_TRUE(waitFor([&] { return lies(last); }));
+  emit window().replayBar().closeWanted();
+  ASSERT_TRUE(waitFor([&] { return application_->replay() == nullptr; }));
+  EXPECT_FALSE(lies(last));
 }
 
 }  // namespace

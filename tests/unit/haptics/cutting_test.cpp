@@ -254,7 +254,7 @@ Felt feel(haptics::HandMotion motion, double stiffness, bool cut, int hz) {
   loop.rate = {hz};
   loop.settings.isovalue = 88.0;
   loop.settings.stiffness = stiffness;
-  loop.grip.gyration = std::sqrt(scene->tool.shell.inertia.trace() / 3.0);
+  loop.grip.gyration = haptics::gyrationOf(scene->tool.shell);
   if (cut) loop.cut = lawOf();
   Pose X = Pose::Identity();
   X.translation().z() = kSurface + 3.0 * kRadius;

@@ -379,7 +379,7 @@ TEST(ViewFile, IsWrittenWholeOrNotAtAll) {
   const auto path = folder.write("kept.palpate-view", "before");
   ViewFile view = someView();
   // too large: what was there stays
-  view.marks.assign(2'000, {ui::MeasureKind::Note, std::string(1'000, 'n'), {{0, 0, 0}}});
+  view.marks.assign(7'000, {ui::MeasureKind::Note, std::string(10'000, 'n'), {{0, 0, 0}}});
   const auto refused = app::writeViewFile(path, view);
   ASSERT_FALSE(refused);
   EXPECT_NE(sentence(refused.error()).find("was not saved"), std::string::npos);
