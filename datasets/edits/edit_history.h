@@ -28,8 +28,9 @@ struct Removal {
 };
 
 /// What an edit would take away from a volume, without doing it. `isovalue`: the present one, for
-/// edits that have none. A stroke was felt when it was made, and is not asked for. Refuses an edit that takes nothing away, reason "nothing", and a seed that
-/// is not in the solid, reason "no-piece". Any thread.
+/// edits that have none. A stroke was felt when it was made, and is not asked for. Refuses an edit
+/// that takes nothing away, reason "nothing", and a seed that is not in the solid, reason
+/// "no-piece". Any thread.
 haptics::Expected<Removal> removalOf(const haptics::Volume& volume, const Edit& edit,
                                      double isovalue, const EditWatch& watch = {});
 
