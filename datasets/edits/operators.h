@@ -16,7 +16,8 @@ namespace datasets {
 /// What an edit that writes voxels does to a given volume.
 using MadeOperator = haptics::Expected<std::unique_ptr<haptics::RowCutter>>;
 
-/// The operator of an edit that is no crop and no stroke. The volume must outlive it. Refuses as removalOf().
+/// The operator of an edit that is no crop and no stroke. The volume must outlive it. Refuses as
+/// removalOf().
 MadeOperator operatorOf(const haptics::Volume& volume, const Edit& edit, double isovalue,
                         const EditWatch& watch);
 

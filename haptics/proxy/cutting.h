@@ -64,8 +64,8 @@ class Cutting {
   /// Carries out a cut that was made before, whole. Before the first tick; not for the servo
   /// thread.
   void make(const BurrCut& cut);
-  /// Forgets the hand, the debt, the stand-off and what was removed, as Proxy::forget() does what the
-  /// proxy found. A cut under way goes on.
+  /// Forgets the hand, the debt, the stand-off and what was removed, as Proxy::forget() does what
+  /// the proxy found. A cut under way goes on.
   void forget() HAPTICS_RT;
   /// The cut that the last call began, if it did.
   const std::optional<BurrCut>& begun() const HAPTICS_RT { return begun_; }

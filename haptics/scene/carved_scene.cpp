@@ -41,8 +41,8 @@ Expected<std::unique_ptr<CarvedScene>> CarvedScene::of(const Scene& scene) {
   carved->raised_.assign(blocks, 0.0F);
   carved->waiting_.assign(blocks, 0);
   carved->scene_ = std::make_shared<const Scene>(
-      Scene{scene.id, volume, scene.tool, scene.tree, carved->field_, *carved->field_,
-            scene.metric, scene.lengths, scene.normal, scene.structures, scene.plan, scene.planned,
+      Scene{scene.id, volume, scene.tool, scene.tree, carved->field_, *carved->field_, scene.metric,
+            scene.lengths, scene.normal, scene.structures, scene.plan, scene.planned,
             scene.fineness, scene.scan_field});
   return carved;
 }

@@ -84,7 +84,8 @@ inline constexpr Row kApp[] = {
      "use that one.",
      "earlier"},
     {"view-not-saved-too-large",
-     "\"%1\" was not saved: with so many notes and edits it would be larger than 64 MB; delete some "
+     "\"%1\" was not saved: with so many notes and edits it would be larger than 64 MB; delete "
+     "some "
      "and save again.",
      "too-large"},
     {"view-other-scan",

@@ -54,7 +54,7 @@ std::shared_ptr<const haptics::Volume> ballVolume(int n = 64) {
 }
 
 haptics::Grid markedGrid(std::array<std::int64_t, 3> dims, const Vec3& spacing_mm,
-                     const Mat3& direction) {
+                         const Mat3& direction) {
   haptics::Grid grid;
   grid.dims = dims;
   grid.spacing = spacing_mm * 1e-3;
