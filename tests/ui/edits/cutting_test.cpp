@@ -231,6 +231,7 @@ TEST_F(Cutting, ATextureGetsNoOtherVoxelsThanThoseThatWereCut) {
   openWithBurr();
   ASSERT_FALSE(HasFatalFailure());
   ui::VolumeView& view = window().views().volume();
+  window().resize(window().minimumSizeHint());  // fewer rays
   view.setSurfaceWish(ui::SurfaceMode::RayCast);
   lift();
   const QImage uncut = window::pictureAtRest(view);
