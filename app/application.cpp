@@ -270,6 +270,7 @@ void Application::Parts::openReplay() {
   measurement.end(Application::tr("The measurement was cancelled: a recording is being replayed."));
   // the hand lets go: what is seen is what was
   shared.session.close();
+  shared.snapshot = {};
   device.forget(Application::tr("A recording was opened: the device was disconnected."));
   recording.setReady(false);
   edit.setReplaying(true);
@@ -396,6 +397,7 @@ void Application::Parts::wireTouch() {
           [this](const QString& name) { tool.changeTool({.name = name.toStdString()}); });
   connect(&cut, &Cut::strokeMade, &edit, &EditController::addStroke);
   connect(&cut, &Cut::freshWanted, &edit, &EditController::renew);
+  connect(&edit, &EditController::failed, &cut, &Cut::forgetWaiting);
   connect(&cut, &Cut::undoWanted, &edit, &EditController::undo);
   connect(&cut, &Cut::redoWanted, &edit, &EditController::redo);
   connect(&edit, &EditController::stepsChanged, &cut, &Cut::setSteps);

@@ -11,6 +11,7 @@
 #include "app/recording/cut_words.h"
 #include "app/recording/facts.h"
 #include "app/recording/replay.h"
+#include "app/recording/unfinished.h"
 #ifdef PALPATE_READERS
 #include "app/cli/watching.h"
 #endif

@@ -215,10 +215,10 @@ double& numberOf(haptics::Step& step, std::size_t k) {
 }
 constexpr std::size_t kStepOfCut = sizeof(std::uint16_t);
 
-/// Each cut must be finite and of a ball that there can be.
+/// Each cut must be possible.
 bool readCuts(std::span<const std::uint8_t> bytes, Layout layout, std::size_t count,
               std::vector<PartlyRead>& steps) {
-  constexpr double kFarthest = 100.0, kLargest = 0.02;  // m
+  constexpr double kMostRemoved = 1e-4;  // m3: more than the largest ball and its way
   std::vector<std::uint64_t> values(count);
   std::vector<haptics::Step*> cuts;
   if (count > 0 && !take(bytes, kStepOfCut, layout, values)) return false;
@@ -233,11 +233,7 @@ bool readCuts(std::span<const std::uint8_t> bytes, Layout layout, std::size_t co
       numberOf(*cuts[i], k) = std::bit_cast<double>(values[i]);
   }
   return bytes.empty() && std::ranges::all_of(cuts, [&](const haptics::Step* step) {
-           const haptics::BurrCut* cut = &*step->cut;
-           return step->removed >= 0.0 && step->removed < kLargest &&
-                  cut->from_W.norm() < kFarthest && cut->to_W.norm() < kFarthest &&
-                  (cut->to_W - cut->from_W).norm() < kLargest && cut->radius > 0.0 &&
-                  cut->radius < kLargest && std::isfinite(cut->isovalue);
+           return step->removed >= 0.0 && step->removed < kMostRemoved && isPossible(*step->cut);
          });
 }
 

@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/recording/carved_copy.h"
 
-#include <algorithm>
-
 #include "app/recording/cut_words.h"
 #include "haptics/scene/carved_scene.h"
 
 namespace app {
 
-haptics::Expected<double> CarvedCopy::carve(const haptics::BurrCut& cut) {
-  if (voxels_ == nullptr) {
-    auto view = haptics::viewLike(*uncut_);
-    if (!view) return tl::unexpected(view.error());
-    voxels_ = std::move(*view);
-  }
+haptics::Expected<void> CarvedCopy::open() {
+  if (voxels_ != nullptr) return {};
+  auto view = haptics::viewLike(*uncut_);
+  if (!view) return tl::unexpected(view.error());
+  volume_.voxels = voxels_ = std::move(*view);
+  return {};
+}
+
+haptics::Expected<CarvedCopy::Done> CarvedCopy::carve(const haptics::BurrCut& cut) {
+  if (!isPossible(cut)) return Done{};
+  if (auto opened = open(); !opened) return tl::unexpected(opened.error());
   haptics::BurrCarving carving{*uncut_, cut};
-  haptics::Removed removed;
-  while (!carving.isDone())
-    removed.add(carving.lowerRow(voxels_.get(), uncut_->voxels.get(), haptics::Material{}));
-  return std::max(0.0, removed.volume);
+  Done done{.removed = carving.lowerAll(voxels_.get(), uncut_->voxels.get()), .box = {}};
+  if (done.removed.voxels > 0) done.box = carving.box();
+  return done;
 }
 
 std::uint64_t CarvedCopy::digest() const {
-  if (voxels_ == nullptr) return 0;
-  haptics::Volume now = *uncut_;
-  now.voxels = voxels_;
-  return digestOfCuts(*uncut_, now);
+  return voxels_ == nullptr ? 0 : digestOfCuts(*uncut_, volume_);
 }
 
 }  // namespace app

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "app/recording/recorder.h"
 #include "app/recording/schema.h"
+#include "app/recording/unfinished.h"
 #include "haptics/process/input_file.h"
 
 namespace app {

@@ -99,22 +99,21 @@ class CutsThen {
   }
   /// After a step: its cut, and what the recording says was left then.
   haptics::Expected<void> add(const haptics::Step& step, ReplayDifference& difference) {
-    if (step.cut) {
-      ++difference.cuts;
+    if (step.cut) ++difference.cuts;
+    // of a scene that is not at hand nothing can be carried out
+    if (step.cut && copy_ && step.scene == number_) {
       made_.push_back(*step.cut);
-      if (copy_)
-        if (const auto removed = copy_->carve(*step.cut); !removed)
-          return tl::unexpected(removed.error());
+      if (const auto done = copy_->carve(*step.cut); !done) return tl::unexpected(done.error());
     }
     for (; next_ < said_.size() && said_[next_]->sequence <= step.sequence; ++next_) {
-      if (!copy_ || said_[next_]->sequence != step.sequence) continue;
+      if (!copy_ || step.scene != number_ || said_[next_]->sequence != step.sequence) continue;
       ++difference.carved_said;
       difference.differing_carved += wordOf(copy_->digest()) != said_[next_]->text;
     }
     return {};
   }
   void tell(ReplayDifference& difference) const {
-    if (copy_ && copy_->isCut()) difference.carved = copy_->digest();
+    if (difference.cuts > 0 && copy_) difference.carved = copy_->digest();
   }
 
  private:

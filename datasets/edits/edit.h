@@ -75,15 +75,19 @@ struct RemoveHolder {
 class Stroke {
  public:
   /// In the order in which they were made. Each begins less than its radius from where it ends.
-  explicit Stroke(std::vector<haptics::BurrCut> cuts = {});
+  /// `removed`: what they removed [m3], for who shows it.
+  explicit Stroke(std::vector<haptics::BurrCut> cuts = {}, double removed = 0.0);
   const std::vector<haptics::BurrCut>& cuts() const { return made_->cuts; }
+  double removed() const { return made_->removed; }
   /// textOf(); made once. Any thread.
   const std::string& text() const;
 
  private:
   struct Made {
-    explicit Made(std::vector<haptics::BurrCut> all) : cuts{std::move(all)} {}
+    Made(std::vector<haptics::BurrCut> all, double volume)
+        : cuts{std::move(all)}, removed{volume} {}
     const std::vector<haptics::BurrCut> cuts;
+    const double removed;
     std::once_flag once;
     std::string text;
   };

@@ -13,7 +13,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestText = 1 << 24;  // bytes; most cuts have less
-constexpr double kLargestBurr = 0.05;          // m
 constexpr double kFarthest = 1e4;              // m, or a tangent
 constexpr double kSkew = 1e-6;                 // of unit vectors and rotations that were rounded
 
@@ -80,7 +79,7 @@ json wordsOfEdit(const Stroke& stroke) {
     for (const double number : {cut.to_W.x(), cut.to_W.y(), cut.to_W.z()})
       ways.back()["places_m"].push_back(number);
   }
-  return {{"edit", "stroke"}, {"ways", std::move(ways)}};
+  return {{"edit", "stroke"}, {"removed_m3", stroke.removed()}, {"ways", std::move(ways)}};
 }
 
 [[noreturn]] void refuseWord() {
@@ -164,16 +163,17 @@ Edit lassoFrom(EditWords& words) {
 }
 
 Edit strokeFrom(EditWords& all) {
+  const double removed = all.number("removed_m3", kFarthest);
   const json& ways = all.take("ways");
-  if (!ways.is_array() || ways.empty()) refuseWord();
+  if (!(removed >= 0.0) || !ways.is_array() || ways.empty()) refuseWord();
   std::vector<haptics::BurrCut> cuts;
   for (const json& one : ways) {
     EditWords words{one};
-    const double radius = words.number("radius_m", kLargestBurr);
+    const double radius = words.number("radius_m", haptics::kLargestBurr);
     const double isovalue = words.number("isovalue", kGreatestValue);
     const json& places = words.take("places_m");
     words.end();
-    if (!(radius > 0.0) || !places.is_array() || places.size() < 6 || places.size() % 3 != 0 ||
+    if (!places.is_array() || places.size() < 6 || places.size() % 3 != 0 ||
         places.size() / 3 + cuts.size() > kMostCuts + 1)
       refuseWord();
     const auto place = [&](std::size_t n) {
@@ -184,12 +184,12 @@ Edit strokeFrom(EditWords& all) {
     haptics::Vec3 from = place(0);
     for (std::size_t n = 1; n < places.size() / 3; ++n) {
       const haptics::Vec3 to = place(n);
-      if (!((to - from).norm() < radius)) refuseWord();
       cuts.push_back({from, to, radius, isovalue});
+      if (!isPossible(cuts.back())) refuseWord();
       from = to;
     }
   }
-  return Stroke{std::move(cuts)};
+  return Stroke{std::move(cuts), removed};
 }
 
 Edit editOfWords(const json& all) {
@@ -230,8 +230,8 @@ Edit editOfWords(const json& all) {
 
 }  // namespace
 
-Stroke::Stroke(std::vector<haptics::BurrCut> cuts)
-    : made_{std::make_shared<Made>(std::move(cuts))} {}
+Stroke::Stroke(std::vector<haptics::BurrCut> cuts, double removed)
+    : made_{std::make_shared<Made>(std::move(cuts), removed)} {}
 
 const std::string& Stroke::text() const {
   std::call_once(made_->once, [this] { made_->text = wordsOfEdit(*this).dump(); });

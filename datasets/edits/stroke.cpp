@@ -54,10 +54,7 @@ haptics::Expected<std::vector<haptics::VoxelRun>> carve(const haptics::Volume& v
   for (const haptics::BurrCut& cut : stroke.cuts()) {
     if (progress.cancelled()) return tl::unexpected(editCancelled());
     haptics::BurrCarving carving{volume, cut};
-    haptics::Removed removed;
-    // what the material is counts for the energy alone, which nobody asks for
-    while (!carving.isDone()) removed.add(carving.lowerRow(voxels, voxels, haptics::Material{}));
-    if (removed.voxels > 0) reached.add(carving.box());
+    if (carving.lowerAll(voxels, voxels).voxels > 0) reached.add(carving.box());
     progress.advance(static_cast<double>(++done) / static_cast<double>(stroke.cuts().size()));
   }
   return reached.runs();

@@ -18,6 +18,14 @@ constexpr double kCounted = kBias + 1.0 / 12.0;
 
 }  // namespace
 
+bool isPossible(const BurrCut& cut) {
+  constexpr double kFarthest = 1e4;  // m: as far as any scan lies
+  // false for what is no number, too
+  return cut.from_W.norm() < kFarthest && cut.to_W.norm() < kFarthest && cut.radius > 0.0 &&
+         cut.radius < kLargestBurr && (cut.to_W - cut.from_W).norm() < cut.radius &&
+         std::isfinite(cut.isovalue);
+}
+
 BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     : dims_{volume.grid.dims},
       type_{volume.type},
@@ -128,6 +136,12 @@ Removed BurrCarving::lowerTyped(T* row, const T* scan, double y, double z,
     lower(in_double_, 0.0);
   else
     lower(in_float_, 0.0F);
+  return removed;
+}
+
+Removed BurrCarving::lowerAll(void* voxels, const void* scan) {
+  Removed removed;
+  while (!isDone()) removed.add(lowerRow(voxels, scan, Material{}));
   return removed;
 }
 

@@ -23,6 +23,11 @@ struct BurrCut {
   bool operator==(const BurrCut&) const = default;
 };
 
+inline constexpr double kLargestBurr = 0.02;  ///< m: radius
+/// Whether a burr makes such a cut: finite, in reach of a scan, on a way shorter than its radius. A
+/// cut that was read from a file may be another.
+bool isPossible(const BurrCut& cut);
+
 /// What a cut took away.
 struct Removed {
   /// m3 within the isosurface. A voxel counts in part by its value, so that a wall counts where it
@@ -45,7 +50,7 @@ class BurrCarving {
  public:
   BurrCarving() = default;
   /// `volume`: its grid, type, background and greatest value count, its voxels do not. The cut must
-  /// be finite.
+  /// be possible.
   BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT;
 
   /// The voxels that the cut may lower, clipped to those that exist; empty if it lies beside them.
@@ -61,6 +66,8 @@ class BurrCarving {
   /// Lowers the next row. `voxels` and `scan` have the grid and the type of the volume; what the
   /// scan has there says which material it is, whatever was cut meanwhile.
   Removed lowerRow(void* voxels, const void* scan, const Material& material) HAPTICS_RT;
+  /// Lowers all rows that are left. Without a material: nobody asks for the energy.
+  Removed lowerAll(void* voxels, const void* scan);
 
  private:
   template <class T>

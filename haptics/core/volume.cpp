@@ -186,4 +186,15 @@ Expected<Volume> makeVolume(const Grid& grid, ScalarType type, std::shared_ptr<v
   return volume;
 }
 
+VoxelBox joined(const VoxelBox& one, const VoxelBox& other) {
+  if (isEmpty(one)) return other;
+  if (isEmpty(other)) return one;
+  VoxelBox both;
+  for (std::size_t a = 0; a < 3; ++a) {
+    both.first[a] = std::min(one.first[a], other.first[a]);
+    both.end[a] = std::max(one.end[a], other.end[a]);
+  }
+  return both;
+}
+
 }  // namespace haptics

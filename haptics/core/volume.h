@@ -44,6 +44,9 @@ struct VoxelBox {
   std::array<std::int64_t, 3> first{}, end{};
   bool operator==(const VoxelBox&) const = default;
 };
+inline bool isEmpty(const VoxelBox& box) { return box.end[0] <= box.first[0]; }
+/// The least box that holds two boxes, each of which may be empty.
+VoxelBox joined(const VoxelBox& one, const VoxelBox& other);
 
 class VoxelMemory;  // core/voxel_memory.h
 struct Derivation;

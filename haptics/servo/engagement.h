@@ -93,14 +93,13 @@ class SceneHandOver {
       waiting_ = cutting_.exchange(waiting_, std::memory_order_acq_rel);
     if (waiting_ == nullptr || current_ == nullptr || waiting_->scene()->id != current_->scene->id)
       return;
-    if (current_->cutting) {
-      if (cutting_left_.load(std::memory_order_acquire) != nullptr) return;
-      cutting_left_.store(current_->cutting.release(), std::memory_order_release);
-    } else {
-      current_->uncut = std::move(current_->scene);
-    }
+    if (current_->cutting && cutting_left_.load(std::memory_order_acquire) != nullptr) return;
+    if (!current_->cutting) current_->uncut = current_->scene;
+    Cutting* const left = current_->cutting.release();
     current_->cutting.reset(std::exchange(waiting_, nullptr));
+    // while the one that is left has its scene yet: no scene is destroyed here
     current_->scene = current_->cutting->scene();
+    if (left != nullptr) cutting_left_.store(left, std::memory_order_release);
   }
   /// What cuts in the present engagement, or null; when the servo thread has ended.
   std::unique_ptr<Cutting> release() {

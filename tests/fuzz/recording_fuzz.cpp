@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/recording/recorder.h"
 #include "app/recording/recording.h"
+#include "app/recording/unfinished.h"
 #include "datasets/edits/edit.h"
 #include "tests/fuzz/require.h"
 #include "tests/support/scratch_folder.h"

@@ -20,6 +20,7 @@
 
 #include "app/recording/recorder.h"
 #include "app/recording/recording.h"
+#include "app/recording/unfinished.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/made.h"
 #include "tests/support/scratch_folder.h"

@@ -66,4 +66,18 @@ void NumberBox::keyPressEvent(QKeyEvent* event) {
   if (enter && refused) event->accept();
 }
 
+NumberBox* numberBox(const NumberAsked& asked) {
+  constexpr int kLeastWidth = 70;  // px
+  auto* number = new NumberBox;
+  number->setObjectName(asked.name);
+  number->setAccessibleName(asked.accessible);
+  number->setRange(asked.least, asked.most);
+  number->setSingleStep(asked.step);
+  number->setDecimals(asked.decimals);
+  number->setSuffix(asked.suffix);
+  number->setMinimumWidth(kLeastWidth);
+  number->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  return number;
+}
+
 }  // namespace ui

@@ -45,4 +45,15 @@ class NumberBox : public QDoubleSpinBox {
   std::optional<double> fine_step_;
 };
 
+/// How a number is asked for.
+struct NumberAsked {
+  const char* name;    ///< of the field, for who looks for it
+  QString accessible;  ///< what screen readers say
+  double least = 0.0, most = 1.0, step = 1.0;
+  int decimals = 0;
+  QString suffix = {};
+};
+/// A field that takes the room there is.
+NumberBox* numberBox(const NumberAsked& asked);
+
 }  // namespace ui

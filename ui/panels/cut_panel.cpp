@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "ui/controls/bindings.h"
+#include "ui/controls/hint_label.h"
 #include "ui/controls/number_box.h"
 
 namespace ui {
@@ -23,31 +24,6 @@ constexpr double kForceStep = 0.1;  // N
 constexpr int kInRow = 4;           // burrs
 constexpr int kLeast = 40;          // px: four stand in the narrowest panel
 
-NumberBox* numberOf(const char* name, const QString& accessible, double least, double most,
-                    double step, int decimals, const QString& suffix, double value) {
-  auto* number = new NumberBox;
-  number->setObjectName(name);
-  number->setAccessibleName(accessible);
-  number->setRange(least, most);
-  number->setSingleStep(step);
-  number->setDecimals(decimals);
-  number->setSuffix(suffix);
-  number->setValue(value);
-  number->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  return number;
-}
-
-QLabel* wordsOf(const char* name) {
-  auto* words = new QLabel;
-  words->setObjectName(name);
-  words->setWordWrap(true);
-  words->setTextFormat(Qt::PlainText);
-  QSizePolicy policy = words->sizePolicy();
-  policy.setHorizontalPolicy(QSizePolicy::Ignored);
-  words->setSizePolicy(policy);
-  return words;
-}
-
 QString shown(double mm3) { return QLocale().toString(mm3, 'f', mm3 < 100.0 ? 1 : 0); }
 
 }  // namespace
@@ -56,15 +32,28 @@ CutPanel::CutPanel(QWidget* parent)
     : QWidget(parent),
       burrs_(new QButtonGroup(this)),
       burr_rows_(new QGridLayout),
-      state_(wordsOf("cutState")),
-      removed_(wordsOf("cutRemoved")),
-      speed_(numberOf("burrSpeed", tr("Speed of the burr"), 1'000.0, 100'000.0, 1'000.0, 0,
-                      tr(" /min"), BurrNumbers{}.speed_rpm)),
-      energy_(numberOf("burrEnergy", tr("Energy that a cubic millimetre takes"), 0.01, 100.0, 0.1,
-                       2, tr(" J/mm³"), BurrNumbers{}.energy_J_mm3)),
+      state_(hintLabel()),
+      removed_(hintLabel()),
+      speed_(numberBox({.name = "burrSpeed",
+                        .accessible = tr("Speed of the burr"),
+                        .least = 1'000.0,
+                        .most = 100'000.0,
+                        .step = 1'000.0,
+                        .suffix = tr(" /min")})),
+      energy_(numberBox({.name = "burrEnergy",
+                         .accessible = tr("Energy that a cubic millimetre takes"),
+                         .least = 0.01,
+                         .most = 100.0,
+                         .step = 0.1,
+                         .decimals = 2,
+                         .suffix = tr(" J/mm³")})),
       undo_(new QPushButton(tr("Undo"))),
       redo_(new QPushButton(tr("Redo"))),
       tint_(new QCheckBox(tr("Colour what was cut"))) {
+  state_->setObjectName("cutState");
+  removed_->setObjectName("cutRemoved");
+  speed_->setValue(BurrNumbers{}.speed_rpm);
+  energy_->setValue(BurrNumbers{}.energy_J_mm3);
   burr_rows_->setSpacing(4);
   burrs_->setExclusive(false);
   undo_->setObjectName("undoStroke");

@@ -26,7 +26,7 @@ struct BurrNumbers {
   double energy_J_mm3 = 1.0;
 };
 
-/// What a burr has removed, and by how many strokes that are in force.
+/// The volume that a burr has removed, by the strokes that are in force.
 struct CutTold {
   int strokes = 0;
   double all_mm3 = 0.0, last_mm3 = 0.0;

@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "ui/controls/bindings.h"
+#include "ui/controls/hint_label.h"
 #include "ui/controls/number_box.h"
 #include "ui/style/look.h"
 
@@ -29,31 +30,6 @@ constexpr double kFarthest_mm = 2'000.0;
 constexpr double kLargest_cm3 = 100'000.0;
 constexpr int kToolsInRow = 3;
 constexpr int kButtonRoom = 14;  // px beside the text of a button
-
-QLabel* hintLabel(const QString& words) {
-  auto* hint = new QLabel(words);
-  hint->setWordWrap(true);
-  hint->setTextFormat(Qt::PlainText);
-  // a long word does not widen the panel
-  QSizePolicy policy = hint->sizePolicy();
-  policy.setHorizontalPolicy(QSizePolicy::Ignored);
-  hint->setSizePolicy(policy);
-  return hint;
-}
-
-NumberBox* numberOf(const char* name, const QString& accessible, double least, double most,
-                    double step, int decimals, const QString& suffix) {
-  auto* number = new NumberBox;
-  number->setObjectName(name);
-  number->setAccessibleName(accessible);
-  number->setRange(least, most);
-  number->setSingleStep(step);
-  number->setDecimals(decimals);
-  number->setSuffix(suffix);
-  number->setMinimumWidth(70);
-  number->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  return number;
-}
 
 QPushButton* buttonOf(const QString& text, const char* name) {
   auto* button = new QPushButton(text);
@@ -126,7 +102,7 @@ EditPanel::EditPanel(QWidget* parent)
   connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
 
   wait_ = new QFrame;
-  wait_words_ = hintLabel({});
+  wait_words_ = hintLabel();
   wait_words_->setObjectName("editWait");
   auto* cancel = buttonOf(tr("Cancel"), "cancelEditWait");
   cancel->setToolTip(tr("Leaves everything as it is"));
@@ -161,14 +137,14 @@ QWidget* EditPanel::cropPage() {
       crop_names_[a][s] = new QLabel;
       const QByteArray name = "crop" + QByteArray::number(axis) + (side == 0 ? "Low" : "High");
       crop_numbers_[a][s] =
-          numberOf(name.constData(), {}, -kFarthest_mm, kFarthest_mm, 1.0, 1, tr(" mm"));
+          numberBox({name.constData(), {}, -kFarthest_mm, kFarthest_mm, 1.0, 1, tr(" mm")});
       crop_numbers_[a][s]->setToolTip(tr("Where the box ends on this side"));
       grid->addWidget(crop_names_[a][s], axis, 2 * side);
       grid->addWidget(crop_numbers_[a][s], axis, 2 * side + 1);
       connect(crop_numbers_[a][s], &NumberBox::valueChanged, this,
               [this, axis, side](double mm) { emit cropNumberChanged(axis, side == 1, mm); });
     }
-  crop_axes_ = hintLabel({});
+  crop_axes_ = hintLabel();
   crop_axes_->setObjectName("cropAxes");
   auto* to_view = buttonOf(tr("Crop to view"), "cropToView");
   to_view->setToolTip(tr("The box that the slices show"));
@@ -197,7 +173,7 @@ QWidget* EditPanel::cropPage() {
 
 QWidget* EditPanel::planePage() {
   auto* page = new QWidget;
-  plane_hint_ = hintLabel({});
+  plane_hint_ = hintLabel();
   plane_hint_->setObjectName("planeHint");
   auto* from = new QHBoxLayout;
   from->setSpacing(4);
@@ -211,11 +187,11 @@ QWidget* EditPanel::planePage() {
   slice(Plane::Axial, tr("Axial"), "planeFromAxial");
   slice(Plane::Coronal, tr("Coronal"), "planeFromCoronal");
   slice(Plane::Sagittal, tr("Sagittal"), "planeFromSagittal");
-  plane_position_ = numberOf("planePosition", tr("Position of the plane"), -kFarthest_mm,
-                             kFarthest_mm, 1.0, 1, tr(" mm"));
+  plane_position_ = numberBox({"planePosition", tr("Position of the plane"), -kFarthest_mm,
+                               kFarthest_mm, 1.0, 1, tr(" mm")});
   plane_towards_ =
-      numberOf("planeTowards", tr("Direction of the cut"), -180.0, 180.0, 5.0, 1, tr("°"));
-  plane_raised_ = numberOf("planeRaised", tr("Slope of the cut"), -90.0, 90.0, 5.0, 1, tr("°"));
+      numberBox({"planeTowards", tr("Direction of the cut"), -180.0, 180.0, 5.0, 1, tr("°")});
+  plane_raised_ = numberBox({"planeRaised", tr("Slope of the cut"), -90.0, 90.0, 5.0, 1, tr("°")});
   plane_position_->setToolTip(tr("From the middle of the scan, towards the side to remove"));
   plane_towards_->setToolTip(
       tr("Direction of the side to remove: 0° is L, 90° is P, 180° is R, −90° is A"));
@@ -258,8 +234,8 @@ QWidget* EditPanel::planePage() {
 
 QWidget* EditPanel::piecesPage() {
   auto* page = new QWidget;
-  small_ = numberOf("smallVolume", tr("Smallest piece that stays"), 0.001, kLargest_cm3, 1.0, 3,
-                    tr(" cm³"));
+  small_ = numberBox(
+      {"smallVolume", tr("Smallest piece that stays"), 0.001, kLargest_cm3, 1.0, 3, tr(" cm³")});
   small_->setValue(1.0);
   small_->setToolTip(tr("Pieces of a smaller volume go"));
   auto* show_small = buttonOf(tr("Show"), "showSmall");
@@ -296,7 +272,8 @@ QWidget* EditPanel::holderPage() {
 
 QWidget* EditPanel::scalpelPage() {
   auto* page = new QWidget;
-  depth_ = numberOf("scalpelDepth", tr("Depth of the cut"), 0.0, kFarthest_mm, 1.0, 1, tr(" mm"));
+  depth_ =
+      numberBox({"scalpelDepth", tr("Depth of the cut"), 0.0, kFarthest_mm, 1.0, 1, tr(" mm")});
   depth_->setSpecialValueText(tr("through everything"));
   depth_->setToolTip(
       tr("In 3-D from the nearest surface inside the outline; in a slice to both "
@@ -324,7 +301,7 @@ QWidget* EditPanel::scalpelPage() {
 
 QFrame* EditPanel::previewBar() {
   auto* bar = new QFrame;
-  preview_words_ = hintLabel({});
+  preview_words_ = hintLabel();
   preview_words_->setObjectName("editPreview");
   // what is said of a button moves none
   preview_words_->setMinimumHeight(2 * preview_words_->fontMetrics().lineSpacing());

@@ -32,18 +32,6 @@ constexpr std::int64_t kRoom = 2;    // voxels around what was cut
 constexpr std::int64_t kGrain = 16;  // voxels by which a part grows
 constexpr double kCut = 0.03;        // of isovalue over background: deeper in the scan it was cut
 
-bool isNothing(const haptics::VoxelBox& box) { return box.end[0] <= box.first[0]; }
-
-haptics::VoxelBox joined(const haptics::VoxelBox& one, const haptics::VoxelBox& other) {
-  if (isNothing(one)) return other;
-  haptics::VoxelBox both;
-  for (std::size_t a = 0; a < 3; ++a) {
-    both.first[a] = std::min(one.first[a], other.first[a]);
-    both.end[a] = std::max(one.end[a], other.end[a]);
-  }
-  return both;
-}
-
 /// The voxels of a box with numbers of their own, and background where the volume ends, so that a
 /// surface is closed there.
 vtkSmartPointer<vtkImageData> closedImage(const haptics::Volume& volume,
@@ -79,35 +67,6 @@ vtkSmartPointer<vtkImageData> closedImage(const haptics::Volume& volume,
   return image;
 }
 
-/// The field of a volume at a place of L [mm].
-double valueAt(const haptics::Volume& volume, const double* p_mm) {
-  std::array<std::int64_t, 3> low{}, high{};
-  std::array<double, 3> part{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double at =
-        std::clamp(p_mm[a] / (volume.grid.spacing[static_cast<Eigen::Index>(a)] * kMmPerM), 0.0,
-                   static_cast<double>(volume.grid.dims[a] - 1));
-    low[a] = static_cast<std::int64_t>(at);
-    high[a] = std::min(low[a] + 1, volume.grid.dims[a] - 1);
-    part[a] = at - static_cast<double>(low[a]);
-  }
-  const auto& dims = volume.grid.dims;
-  return haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
-    double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-      double weight = 1.0;
-      std::array<std::int64_t, 3> at{};
-      for (std::size_t a = 0; a < 3; ++a) {
-        const bool upper = (corner >> a & 1) != 0;
-        at[a] = upper ? high[a] : low[a];
-        weight *= upper ? part[a] : 1.0 - part[a];
-      }
-      sum += weight * static_cast<double>(voxels[(at[2] * dims[1] + at[1]) * dims[0] + at[0]]);
-    }
-    return sum;
-  });
-}
-
 /// Gives each corner of a mesh the colour of the surface, or that of what was cut.
 void tint(vtkPolyData& mesh, const haptics::Volume* scan, double isovalue, const Rgb& colour) {
   const auto bytesOf = [](const Rgb& of) {
@@ -122,8 +81,10 @@ void tint(vtkPolyData& mesh, const haptics::Volume* scan, double isovalue, const
   colours->SetNumberOfComponents(3);
   colours->SetNumberOfTuples(count);
   for (vtkIdType n = 0; n < count; ++n) {
-    const bool deep = scan != nullptr && valueAt(*scan, mesh.GetPoint(n)) >
-                                             isovalue + kCut * std::abs(isovalue - scan->least);
+    const Eigen::Vector3d p_mm{mesh.GetPoint(n)};
+    const bool deep =
+        scan != nullptr && fieldAt(*scan, p_mm.cwiseQuotient(scan->grid.spacing * kMmPerM)) >
+                               isovalue + kCut * std::abs(isovalue - scan->least);
     colours->SetTypedTuple(n, deep ? cut.data() : whole.data());
   }
   mesh.GetPointData()->SetScalars(colours);
@@ -183,15 +144,15 @@ void CarvedPart::end() {
 }
 
 void CarvedPart::add(const haptics::VoxelBox& box) {
-  if (!voxels_ || isNothing(box)) return;
-  carved_ = joined(carved_, box);
-  waiting_ = joined(waiting_, box);
+  if (!voxels_ || haptics::isEmpty(box)) return;
+  carved_ = haptics::joined(carved_, box);
+  waiting_ = haptics::joined(waiting_, box);
   contoured_.reset();
 }
 
 vtkActor* CarvedPart::actor() const { return actor_; }
 
-bool CarvedPart::isEmpty() const { return isNothing(carved_); }
+bool CarvedPart::isEmpty() const { return haptics::isEmpty(carved_); }
 
 void CarvedPart::setTint(bool on) {
   tinted_ = on;
@@ -211,7 +172,7 @@ haptics::VoxelBox CarvedPart::part() const {
 }
 
 void CarvedPart::upload(vtkOpenGLGPUVolumeRayCastMapper& caster) {
-  if (!voxels_ || isNothing(waiting_)) return;
+  if (!voxels_ || haptics::isEmpty(waiting_)) return;
   const auto input = caster.AssembledInputs.find(0);
   vtkVolumeTexture* textures =
       input == caster.AssembledInputs.end() ? nullptr : input->second.Texture.Get();

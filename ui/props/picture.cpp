@@ -373,6 +373,37 @@ Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const Picture& 
   return pictureWith(std::move(volume), std::move(reduced));
 }
 
+double fieldAt(const haptics::Volume& volume, const Eigen::Vector3d& index) {
+  const haptics::VoxelBox box = volume.bounds();
+  const auto& dims = volume.grid.dims;
+  std::array<std::int64_t, 3> low{}, high{};
+  Eigen::Vector3d part;
+  for (int a = 0; a < 3; ++a) {
+    const auto of = static_cast<std::size_t>(a);
+    const double at = std::clamp(index[a], static_cast<double>(box.first[of]),
+                                 static_cast<double>(box.end[of] - 1));
+    low[of] = static_cast<std::int64_t>(std::floor(at));
+    high[of] = std::min(low[of] + 1, box.end[of] - 1);
+    part[a] = at - static_cast<double>(low[of]);
+  }
+  return haptics::visitVoxels(volume.type, volume.voxels.get(), [&](const auto* voxels) {
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+      double weight = 1.0;
+      std::array<std::int64_t, 3> at{};
+      for (int a = 0; a < 3; ++a) {
+        const auto of = static_cast<std::size_t>(a);
+        const bool upper = (corner >> a & 1) != 0;
+        at[of] = upper ? high[of] : low[of];
+        weight *= upper ? part[a] : 1.0 - part[a];
+      }
+      if (weight > 0.0)
+        sum += weight * static_cast<double>(voxels[(at[2] * dims[1] + at[1]) * dims[0] + at[0]]);
+    }
+    return sum;
+  });
+}
+
 int vtkTypeOf(haptics::ScalarType type) { return emptyArray(type)->GetDataType(); }
 
 vtkSmartPointer<vtkPolyData> isosurfaceMesh(vtkImageData* image, double isovalue, bool mirrored) {

@@ -58,6 +58,10 @@ Picture pictureOf(std::shared_ptr<const haptics::Volume> volume, const Picture& 
 /// is not applied, since rows of a box do not follow one another.
 vtkSmartPointer<vtkImageData> imageOf(const haptics::Volume& volume);
 
+/// The voxels that exist (Volume::bounds) at index coordinates, which are moved among them:
+/// trilinear.
+double fieldAt(const haptics::Volume& volume, const Eigen::Vector3d& index);
+
 /// VTK's number of a type.
 int vtkTypeOf(haptics::ScalarType type);
 

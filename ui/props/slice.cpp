@@ -84,37 +84,9 @@ Slice::Span Slice::spanOf(const Eigen::Vector3d& first_V, const Eigen::Vector3d&
 }
 
 float Slice::kept(const Eigen::Vector3d& u) const {
-  const haptics::VoxelBox box = volume_->bounds();
-  const haptics::Grid& grid = volume_->grid;
-  std::array<std::int64_t, 3> low{}, high{};
-  Eigen::Vector3d part;
-  for (int a = 0; a < 3; ++a) {
-    const double at =
-        std::clamp(u[a], static_cast<double>(box.first[a]), static_cast<double>(box.end[a] - 1));
-    low[a] = static_cast<std::int64_t>(std::floor(at));
-    part[a] = at - static_cast<double>(low[a]);
-    if (interpolation_ == Interpolation::Nearest) {
-      low[a] += part[a] >= 0.5;
-      part[a] = 0.0;
-    }
-    high[a] = std::min(low[a] + 1, box.end[a] - 1);
-  }
-  return haptics::visitVoxels(volume_->type, volume_->voxels.get(), [&](const auto* voxels) {
-    double sum = 0.0;
-    for (int corner = 0; corner < 8; ++corner) {
-      double weight = 1.0;
-      std::array<std::int64_t, 3> at{};
-      for (int a = 0; a < 3; ++a) {
-        const bool upper = (corner >> a & 1) != 0;
-        at[a] = upper ? high[a] : low[a];
-        weight *= upper ? part[a] : 1.0 - part[a];
-      }
-      if (weight > 0.0)
-        sum += weight *
-               static_cast<double>(voxels[(at[2] * grid.dims[1] + at[1]) * grid.dims[0] + at[0]]);
-    }
-    return static_cast<float>(sum);
-  });
+  const bool nearest = interpolation_ == Interpolation::Nearest;
+  return static_cast<float>(
+      fieldAt(*volume_, nearest ? Eigen::Vector3d{(u.array() + 0.5).floor()} : u));
 }
 
 void Slice::cutLayer(const Eigen::Affine3d& X_LS, double mm_per_pixel) {

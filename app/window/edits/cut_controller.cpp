@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -21,22 +20,11 @@ namespace app {
 namespace {
 
 constexpr std::size_t kCutsAtOnce = 256;
-constexpr int kRestMs = 500;
 constexpr double kMm3PerM3 = 1e9;
 
 const resources::NamedTool* burrOf(const ToolSource& tool) {
   const resources::NamedTool* named = tool.file ? nullptr : resources::findNamedTool(tool.name);
   return named != nullptr && named->cuts() ? named : nullptr;
-}
-
-haptics::VoxelBox joined(const haptics::VoxelBox& one, const haptics::VoxelBox& other) {
-  if (one == haptics::VoxelBox{}) return other;
-  haptics::VoxelBox both;
-  for (std::size_t a = 0; a < 3; ++a) {
-    both.first[a] = std::min(one.first[a], other.first[a]);
-    both.end[a] = std::max(one.end[a], other.end[a]);
-  }
-  return both;
 }
 
 }  // namespace
@@ -72,33 +60,38 @@ CutController::CutController(ui::MainWindow& window, SharedState& shared)
 
 CutController::~CutController() = default;
 
-std::optional<haptics::CutLaw> CutController::law() const {
-  if (!shared_.shown) return {};
-  const resources::NamedTool* tool = burrOf(shared_.shown->tool);
-  const haptics::Scene& scene = *shared_.shown->scene;
+const resources::NamedTool* CutController::burr() const {
+  if (!shared_.shown) return nullptr;
   // walls of a solid structure are voxels like any others
-  if (tool == nullptr || datasets::walledOf(*scene.volume) != nullptr) return {};
+  if (datasets::walledOf(*shared_.shown->scene->volume) != nullptr) return nullptr;
+  return burrOf(shared_.shown->tool);
+}
+
+haptics::CutLaw CutController::lawOf(const resources::NamedTool& burr) const {
   haptics::CutLaw law;
   const ui::BurrNumbers numbers = panel_->numbers();
-  law.burr = haptics::ballAtTip(scene.tool.shell, 0.5 * tool->tip);
+  law.burr = haptics::ballAtTip(shared_.shown->scene->tool.shell, 0.5 * burr.tip);
   law.speed = numbers.speed_rpm * 2.0 * std::numbers::pi / 60.0;
   law.material.bands[0].energy = numbers.energy_J_mm3 * kMm3PerM3;
   return law;
 }
 
 void CutController::showScene(const std::vector<datasets::Edit>& edits) {
-  strokes_ = static_cast<std::size_t>(std::ranges::count_if(
-      edits, [](const auto& edit) { return std::holds_alternative<datasets::Stroke>(edit); }));
-  if (removed_by_.size() < strokes_) removed_by_.resize(strokes_, 0.0);
+  told_ = {};
+  for (const datasets::Edit& edit : edits)
+    if (const auto* stroke = std::get_if<datasets::Stroke>(&edit)) {
+      ++told_.strokes;
+      told_.last_mm3 = stroke->removed() * kMm3PerM3;
+      told_.all_mm3 += told_.last_mm3;
+    }
   panel_->showTool(shared_.shown ? QString::fromStdString(shared_.shown->tool.name) : QString{});
   showRemoved();
   if (!shared_.shown || shared_.shown->scene->id == scene_) return;
   takeCuts();  // of the scene before
-  if (live_ && scanOf(live_->uncut) != scanOf(shared_.shown->volume())) {
+  if (live_ && scanOf(live_->uncut()) != scanOf(shared_.shown->volume())) {
     stroke_ = {};
-    removed_ = 0.0;
-    lowered_ = false;
-    removed_by_.assign(strokes_, 0.0);
+    removed_ = {};
+    forgetWaiting();
   }
   endStroke();
   prepare();
@@ -110,22 +103,20 @@ void CutController::prepare() {
   law_.clear();
   cut_ = false;
   scene_ = shared_.shown->scene->id;
-  const auto chosen = law();
-  if (!chosen) {
+  const resources::NamedTool* tool = burr();
+  if (tool == nullptr) {
     callWaiting();
     return showState();
   }
   maker_.start(
       [scene = shared_.shown->scene,
-       law = *chosen](const background::Watch&) -> haptics::Expected<Made> {
+       law = lawOf(*tool)](const background::Watch&) -> haptics::Expected<Made> {
         auto carved = haptics::CarvedScene::of(*scene);
         if (!carved) return tl::unexpected(carved.error());
-        auto voxels = haptics::viewLike(*scene->volume);
-        if (!voxels) return tl::unexpected(voxels.error());
-        Made made{std::make_unique<haptics::Cutting>(std::move(*carved), law), *scene->volume,
-                  *voxels};
+        Made made{std::make_unique<haptics::Cutting>(std::move(*carved), law),
+                  CarvedCopy{scene->volume}};
         made.cutting->lookAhead();
-        made.live.voxels = *voxels;
+        if (auto opened = made.live.open(); !opened) return tl::unexpected(opened.error());
         return made;
       },
       [this, scene = scene_](haptics::Expected<Made> made) { deliver(scene, std::move(made)); });
@@ -140,7 +131,7 @@ void CutController::deliver(std::uint64_t scene, haptics::Expected<Made> made) {
     return callWaiting();
   }
   takeCuts();  // of the scene before: they are gone with it
-  live_ = Live{shared_.shown->volume(), std::move(made->live), std::move(made->voxels)};
+  live_ = std::move(made->live);
   law_ = QString::fromStdString(wordsOf(made->cutting->law()));
   tellLaw();
   shared_.session.cut(std::move(made->cutting));
@@ -154,7 +145,7 @@ void CutController::tellLaw() {
 
 void CutController::showLive() {
   if (!live_ || replaying_) return;
-  window_.views().showLive(live_->volume, scanOf(live_->uncut));
+  window_.views().showLive(live_->volume(), scanOf(live_->uncut()));
   window_.views().volume().setTint(panel_->tint());
 }
 
@@ -162,8 +153,7 @@ void CutController::refresh() {
   if (key_ && !replaying_) shared_.session.holdCut(true);
   takeCuts();
   // a slow window lets the key lapse for a moment: that is no other stroke
-  const bool rests = !key_ || !since_cut_.isValid() || since_cut_.hasExpired(kRestMs);
-  if (!shared_.snapshot.cuts && rests) endStroke();
+  if (!shared_.snapshot.cuts && !key_) endStroke();
   showState();
 }
 
@@ -173,37 +163,28 @@ void CutController::takeCuts() {
   while (const std::size_t count = shared_.session.cuts(cuts)) {
     if (!live_) continue;  // of a scene that is gone with all that was cut in it
     for (std::size_t n = 0; n < count; ++n) {
-      haptics::BurrCarving carving{live_->volume, cuts[n]};
-      haptics::Removed removed;
-      while (!carving.isDone())
-        removed.add(
-            carving.lowerRow(live_->voxels.get(), live_->uncut->voxels.get(), haptics::Material{}));
-      if (removed.voxels > 0) changed = joined(changed, carving.box());
-      removed_ += removed.volume;
-      lowered_ = lowered_ || removed.voxels > 0;
+      const auto done = live_->carve(cuts[n]).value();  // its view is open: nothing is refused
+      changed = joined(changed, done.box);
+      removed_.add(done.removed);
       stroke_.push_back(cuts[n]);
       cut_ = true;
-      since_cut_.start();
       if (stroke_.size() == datasets::kMostCuts) endStroke();
     }
   }
-  if (changed == haptics::VoxelBox{}) return;
+  if (isEmpty(changed)) return;
   if (!replaying_) window_.views().carve(changed);
   showRemoved();
 }
 
 void CutController::endStroke() {
   if (stroke_.empty()) return;
-  const datasets::Stroke stroke{std::exchange(stroke_, {})};
-  const double removed = std::exchange(removed_, 0.0);
-  if (!std::exchange(lowered_, false)) return;  // it met nothing
-  removed_by_.resize(strokes_);
-  removed_by_.push_back(removed);
-  emit strokeMade(stroke, scene_);
+  const haptics::Removed removed = std::exchange(removed_, {});
+  const datasets::Stroke stroke{std::exchange(stroke_, {}), std::max(0.0, removed.volume)};
+  if (removed.voxels > 0) emit strokeMade(stroke, scene_);
 }
 
 void CutController::changeLaw() {
-  if (!shared_.shown || replaying_ || !law()) return;
+  if (replaying_ || burr() == nullptr) return;
   takeCuts();
   if (cut_ || shared_.snapshot.cuts)
     emit freshWanted();
@@ -234,18 +215,18 @@ void CutController::showState() {
   if (shared_.snapshot.cuts) return panel_->showState(State::Turning, shared_.snapshot.burr_force);
   if (!shared_.shown || burrOf(shared_.shown->tool) == nullptr)
     return panel_->showState(State::NoBurr);
-  if (!law()) return panel_->showState(State::Solid);
+  if (burr() == nullptr) return panel_->showState(State::Solid);
   panel_->showState(live_ ? State::Ready : State::Preparing);
 }
 
 void CutController::showRemoved() {
-  const bool under_way = removed_ > 0.0;
-  const double before = std::accumulate(
-      removed_by_.begin(), removed_by_.begin() + static_cast<std::ptrdiff_t>(strokes_), 0.0);
-  const double last = under_way ? removed_ : strokes_ > 0 ? removed_by_[strokes_ - 1] : 0.0;
-  panel_->show({.strokes = static_cast<int>(strokes_) + (under_way ? 1 : 0),
-                .all_mm3 = (before + removed_) * kMm3PerM3,
-                .last_mm3 = last * kMm3PerM3});
+  ui::CutTold told = told_;
+  if (removed_.volume > 0.0) {
+    ++told.strokes;
+    told.last_mm3 = removed_.volume * kMm3PerM3;
+    told.all_mm3 += told.last_mm3;
+  }
+  panel_->show(told);
 }
 
 }  // namespace app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <cstdint>
@@ -11,16 +10,21 @@
 #include <vector>
 
 #include "app/background/task.h"
+#include "app/recording/carved_copy.h"
 #include "app/window/scan/shared_state.h"
 #include "datasets/edits/edit.h"
 #include "haptics/proxy/cutting.h"
 #include "ui/panels/cut_panel.h"
 #include "ui/window/main_window.h"
 
+namespace resources {
+struct NamedTool;
+}
+
 namespace app {
 
-/// Lets a burr cut the scan: the panel "Cut". What cuts is made in the background for each scene
-/// whose tool has a burr, and handed to the session. Each cut that the servo thread begins is
+/// Lets a burr cut the scan: the panel "Cut". A haptics::Cutting is made in the background for each
+/// scene whose tool has a burr, and handed to the session. Each cut that the servo thread begins is
 /// carried out once more in voxels that the views show. When the key is let go, the cuts become a
 /// stroke, which is an edit like any other.
 class CutController : public QObject {
@@ -43,6 +47,8 @@ class CutController : public QObject {
   /// Calls `then` when nothing was cut in the scene, if need be in a new one: a recording knows a
   /// scene as it is when it is described.
   void whenUncut(std::function<void()> then);
+  /// No new scene comes: what waits for one is forgotten.
+  void forgetWaiting() { waiting_ = {}; }
 
  signals:
   /// The user wants a tool, by its name.
@@ -59,17 +65,12 @@ class CutController : public QObject {
  private:
   struct Made {
     std::unique_ptr<haptics::Cutting> cutting;
-    haptics::Volume live;          ///< voxels of the window's own, like those of the scene
-    std::shared_ptr<void> voxels;  ///< of `live`
-  };
-  /// What is cut, for the eye.
-  struct Live {
-    std::shared_ptr<const haptics::Volume> uncut;  ///< as it was in the scene before the first cut
-    haptics::Volume volume;
-    std::shared_ptr<void> voxels;
+    CarvedCopy live;
   };
 
-  std::optional<haptics::CutLaw> law() const;
+  /// The tool's burr, where the scene may be cut with it; null: none.
+  const resources::NamedTool* burr() const;
+  haptics::CutLaw lawOf(const resources::NamedTool& burr) const;
   void prepare();
   void deliver(std::uint64_t scene, haptics::Expected<Made> made);
   void takeCuts();
@@ -83,18 +84,15 @@ class CutController : public QObject {
   SharedState& shared_;
   ui::CutPanel* panel_;
   background::Task<Made> maker_;
-  std::uint64_t scene_ = 0;   ///< that is cut, or is prepared for it; 0: none
-  QString law_;               ///< of what cuts; empty: nothing does
-  std::optional<Live> live_;  ///< none: not yet, or nothing cuts
-  bool cut_ = false;          ///< something was cut in the scene
-  bool key_ = false;          ///< of the burr is down
+  std::uint64_t scene_ = 0;         ///< that is cut, or is prepared for it; 0: none
+  QString law_;                     ///< of what cuts; empty: nothing does
+  std::optional<CarvedCopy> live_;  ///< for the eye; none: not yet, or nothing cuts
+  bool cut_ = false;                ///< something was cut in the scene
+  bool key_ = false;                ///< of the burr is down
   bool replaying_ = false;
   std::vector<haptics::BurrCut> stroke_;  ///< under way
-  QElapsedTimer since_cut_;               ///< the last
-  double removed_ = 0.0;                  ///< m3, by it
-  bool lowered_ = false;                  ///< any voxel, by it
-  std::vector<double> removed_by_;        ///< m3: strokes in force, and those that were taken back
-  std::size_t strokes_ = 0;               ///< in force
+  haptics::Removed removed_;              ///< by it
+  ui::CutTold told_;                      ///< of the strokes in force
   std::function<void()> waiting_;         ///< of whenUncut()
 };
 

@@ -99,6 +99,7 @@ void EditController::connectJobs() {
   connect(&jobs_, &EditQueue::pictured, this, &EditController::pictured);
   connect(&jobs_, &EditQueue::noted, this, &EditController::noted);
   connect(&jobs_, &EditQueue::waitChanged, this, &EditController::showWait);
+  connect(&jobs_, &EditQueue::failed, this, &EditController::failed);
   connect(&jobs_, &EditQueue::failed, this, [this] {
     showSteps();
     // the box shows what is there

@@ -76,6 +76,8 @@ class EditController : public QObject {
   void renewed(const app::Loaded& loaded);
   /// The picture of the newest volume. `seen`: its voxels are on view already.
   void pictured(const ui::Picture& picture, bool seen);
+  /// An edit, or a new scene, could not be made; the window has said why.
+  void failed();
   /// Whether there is something to take back, or to make again.
   void stepsChanged(bool undo, bool redo);
   /// An edited volume was written, or not. `what`: why not, for the user; empty: cancelled.

@@ -106,6 +106,8 @@ void EditQueue::endWait() {
 }
 
 void EditQueue::cancelWait() {
+  // the touch must not stay what it is
+  if (running_ ? running_->puts_back : !queue_.empty() && queue_.front().puts_back) return;
   if (held_) {
     task_.start(
         [history = held_->history, step = running_->step](const Watch&) -> haptics::Expected<Made> {

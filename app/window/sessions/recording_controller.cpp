@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/recording/unfinished.h"
 #include "app/view_file/view_file.h"
 #include "app/window/scan/sentence.h"
 #include "app/window/scan/view_camera.h"

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "app/recording/recorder.h"
 #include "app/recording/recording.h"
+#include "app/recording/unfinished.h"
 #include "app/view_file/view_file.h"
 #include "app/window/scan/loader.h"
 #include "haptics/process/input_file.h"

@@ -7,7 +7,6 @@
 
 #include "app/recording/recording.h"
 #include "app/window/scan/edited_volume.h"
-#include "haptics/scene/carved_scene.h"
 
 namespace app {
 
@@ -31,12 +30,13 @@ void ReplayedCuts::set(std::vector<Cut> cuts) {
 
 bool ReplayedCuts::begin(const std::shared_ptr<const haptics::Volume>& on_view,
                          std::uint32_t scene) {
-  auto voxels = haptics::viewLike(*on_view);
-  if (!voxels) return false;
-  live_ = Live{on_view, scene, *on_view, *voxels, 0};
-  live_->volume.voxels = *voxels;
+  live_ = Live{CarvedCopy{on_view}, scene, 0};
+  if (!live_->copy.open()) {
+    live_.reset();
+    return false;
+  }
   while (live_->next < cuts_.size() && cuts_[live_->next].scene != scene) ++live_->next;
-  views_.showLive(live_->volume, scanOf(on_view));
+  views_.showLive(live_->copy.volume(), scanOf(on_view));
   return true;
 }
 
@@ -46,18 +46,15 @@ void ReplayedCuts::show(const std::shared_ptr<const haptics::Volume>& on_view, s
   const auto isCutAlready = [&](std::size_t n) {
     return n > 0 && cuts_[n - 1].scene == scene && cuts_[n - 1].sequence > sequence;
   };
-  const bool goes_on =
-      live_ && live_->uncut == on_view && live_->scene == scene && !isCutAlready(live_->next);
+  const bool goes_on = live_ && live_->copy.uncut() == on_view && live_->scene == scene &&
+                       !isCutAlready(live_->next);
   if (!goes_on && !begin(on_view, scene)) return;
+  haptics::VoxelBox changed;
   for (; live_->next < cuts_.size() && cuts_[live_->next].scene == scene &&
          cuts_[live_->next].sequence <= sequence;
-       ++live_->next) {
-    haptics::BurrCarving carving{live_->volume, cuts_[live_->next].cut};
-    haptics::Removed removed;
-    while (!carving.isDone())
-      removed.add(carving.lowerRow(live_->voxels.get(), on_view->voxels.get(), {}));
-    if (removed.voxels > 0) views_.carve(carving.box());
-  }
+       ++live_->next)
+    changed = joined(changed, live_->copy.carve(cuts_[live_->next].cut).value().box);
+  if (!isEmpty(changed)) views_.carve(changed);
 }
 
 }  // namespace app

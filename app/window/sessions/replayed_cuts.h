@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/recording/carved_copy.h"
 #include "haptics/carving/burr.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
@@ -16,7 +17,7 @@
 
 namespace app {
 
-/// What a recorded burr has cut until a step, in the voxels that the views show. GUI thread.
+/// The cuts of a recording until a step, in the voxels that the views show. GUI thread.
 class ReplayedCuts {
  public:
   struct Cut {
@@ -41,10 +42,8 @@ class ReplayedCuts {
 
  private:
   struct Live {
-    std::shared_ptr<const haptics::Volume> uncut;
+    CarvedCopy copy;
     std::uint32_t scene = 0;
-    haptics::Volume volume;
-    std::shared_ptr<void> voxels;
     std::size_t next = 0;  ///< cut
   };
   bool begin(const std::shared_ptr<const haptics::Volume>& on_view, std::uint32_t scene);

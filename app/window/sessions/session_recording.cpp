@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/recording/facts.h"
+#include "app/recording/unfinished.h"
 #include "app/recording/volume_hash.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"

@@ -244,6 +244,7 @@ TEST(Cutting, DoesNotCutWithTheShaft) {
 struct Felt {
   double given = 0.0, step = 0.0;  ///< J given to the hand; N, of the force in a tick
   double deepest = 0.0, volume = 0.0;
+  double impulse = 0.0;  ///< N s, on the burr
   std::int64_t unsound = 0;
 };
 
@@ -272,7 +273,10 @@ Felt feel(haptics::HandMotion motion, double stiffness, bool cut, int hz) {
     felt.unsound += !row.X_WP.matrix().allFinite() || !before.allFinite();
     const haptics::Scene& touched = row.cutting != nullptr ? *row.cutting->scene() : *scene;
     felt.deepest = std::max(felt.deepest, haptics::penetration(touched, 88.0, row.X_WP));
-    if (row.cutting != nullptr) felt.volume = row.cutting->removed().volume;
+    if (row.cutting != nullptr) {
+      felt.volume = row.cutting->removed().volume;
+      felt.impulse += row.cutting->force() / hz;
+    }
     return true;
   });
   EXPECT_TRUE(done.has_value());
@@ -302,6 +306,22 @@ TEST(Cutting, GivesTheHandNoEnergyAndNoJerk) {
     EXPECT_EQ(cut.unsound, 0) << where;
     EXPECT_GT(cut.volume, 1e-9) << where;
     EXPECT_EQ(whole.volume, 0.0) << where;
+  }
+}
+
+TEST(Cutting, BearsTheSameImpulseAtEveryRateAndTakesWhatTheLawSaysOfIt) {
+  using haptics::HandMotion;
+  const CutLaw law = lawOf();
+  for (const HandMotion motion : {HandMotion::Mill, HandMotion::Hollow, HandMotion::Plunge}) {
+    if (made::kSanitized && motion != HandMotion::Mill) continue;
+    const Felt once = feel(motion, 1000.0, true, 1000), often = feel(motion, 1000.0, true, 4000);
+    EXPECT_GT(once.impulse, 5.0) << int(motion);
+    EXPECT_NEAR(often.impulse / once.impulse, 1.0, 0.03) << int(motion);
+    for (const Felt& felt : {once, often}) {
+      const double taken =
+          law.share * felt.impulse * law.speed * law.burr.radius / law.material.energyAt(88.0);
+      EXPECT_NEAR(felt.volume / taken, 1.0, 0.006) << int(motion);
+    }
   }
 }
 

@@ -17,6 +17,7 @@
 #include "app/recording/recorder.h"
 #include "app/recording/recording.h"
 #include "app/recording/replay.h"
+#include "app/recording/unfinished.h"
 #include "datasets/edits/edit_history.h"
 #include "datasets/edits/edited.h"
 #include "haptics/core/latest_value.h"

@@ -9,6 +9,7 @@
 #include "app/recording/database.h"
 #include "app/recording/felt_words.h"
 #include "app/recording/recorder.h"
+#include "app/recording/unfinished.h"
 #include "app/recording/walls.h"
 #include "tests/support/made_distances.h"
 #include "tests/support/scratch_folder.h"

@@ -242,6 +242,32 @@ TEST(EditHistory, HasRoomForFiftyStepsAndKeepsItsLimit) {
   }
 }
 
+TEST(EditHistory, TakesFiftyStrokesBackToTheByte) {
+  const auto scan = blobs(70, 8);
+  EditHistory history{scan};
+  Random random{8};
+  std::vector<std::vector<char>> bytes{copyOf(*scan)};
+  while (bytes.size() <= 50) {
+    // each a way of its own through the blobs
+    std::vector<BurrCut> cuts;
+    Vec3 at = random.box(0.3 * 70 * h);
+    for (int n = 0; n < 40; ++n) {
+      const Vec3 to = at + 0.3 * h * random.direction();
+      cuts.push_back({at, to, 2.0 * h, 100.0});
+      at = to;
+    }
+    const auto volume = history.apply(Stroke{std::move(cuts)});
+    if (volume) bytes.push_back(copyOf(**volume));  // else it met nothing
+  }
+  for (std::size_t n = 50; n-- > 0;) {
+    const auto volume = history.undo();
+    ASSERT_TRUE(volume);
+    ASSERT_TRUE(holds(**volume, bytes[n])) << n;
+  }
+  EXPECT_EQ(history.present(), scan);
+  for (std::size_t n = 1; n <= 50; ++n) ASSERT_TRUE(holds(*history.redo().value(), bytes[n])) << n;
+}
+
 TEST(EditHistory, IsAsItWasAfterACancelledEdit) {
   const auto scan = blobs(60, 205);
   Random random{205};

@@ -35,7 +35,8 @@ Stroke stroke() {
                  {a, b, 2e-3, 300.0},
                  {b, c, 2e-3, 300.0},
                  {d, d, 2e-3, 300.0},
-                 {d, d, 2e-3, 301.5}}};
+                 {d, d, 2e-3, 301.5}},
+                1e-9 / 3.0};
 }
 
 std::vector<Edit> oneOfEach() {
@@ -68,6 +69,7 @@ TEST(EditText, ComesBackToTheBit) {
   EXPECT_EQ(after.inside, before.inside);
   EXPECT_EQ(after.isovalue, before.isovalue);
   EXPECT_EQ(std::get<Stroke>(editFrom(textOf(stroke())).value()).cuts(), stroke().cuts());
+  EXPECT_EQ(std::get<Stroke>(editFrom(textOf(stroke())).value()).removed(), stroke().removed());
   datasets::Random random{19};
   for (int n = 0; n < 1000; ++n) {
     const PlaneCut cut{random.box(1.0), random.direction(), random.in(-1000.0, 3000.0)};
@@ -147,8 +149,10 @@ TEST(EditText, RefusesWhatIsNone) {
       with(cuts, "\"radius_m\":0.002", "\"radius_m\":9e-05"),  // it would leave gaps
       with(cuts, "\"places_m\":[", "\"places_m\":[0.1,"),
       with(cuts, ",\"radius_m\":0.002", ""),
-      "{\"edit\":\"stroke\",\"ways\":[]}",
-      "{\"edit\":\"stroke\",\"ways\":[{\"isovalue\":1.0,\"places_m\":[0.1,0.1,0.1],\"radius_m\":0."
+      with(cuts, "\"removed_m3\":", "\"removed_m3\":-"),
+      "{\"edit\":\"stroke\",\"removed_m3\":0.0,\"ways\":[]}",
+      "{\"edit\":\"stroke\",\"removed_m3\":0.0,\"ways\":[{\"isovalue\":1.0,\"places_m\":[0.1,0.1,0."
+      "1],\"radius_m\":0."
       "1}]}",
   };
   PlaneCut slanted = std::get<PlaneCut>(oneOfEach()[1]);
