@@ -498,6 +498,7 @@ void Application::Parts::wireViews() {
 }
 
 void Application::Parts::wireProgram() {
+  connect(&structures, &StructuresController::tissuesWanted, &edit, &EditController::setTissues);
   connect(&structures, &StructuresController::fileChanged, &journal,
           &JournalController::setStructures);
   connect(&journal, &JournalController::structuresWanted, &structures, &StructuresController::open);

@@ -1,24 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/options.h"
 
-#include <charconv>
 #include <cmath>
-#include <optional>
 
 namespace app::cli {
-namespace {
-
-/// The number that a whole text is.
-template <class T>
-std::optional<T> numberIn(const std::string& text) {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end) return {};
-  return value;
-}
-
-}  // namespace
 
 CLI::Validator finiteNumber() {
   return {[](std::string& text) {
@@ -44,6 +29,12 @@ CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t greatest) {
 CLI::Validator notEmpty() {
   return {[](std::string& text) { return text.empty() ? std::string{"is empty"} : std::string{}; },
           "TEXT"};
+}
+
+std::optional<double> energyIn(const std::string& text) {
+  const auto energy = numberIn<double>(text);
+  if (!energy || !(*energy >= 1e-3 && *energy <= 1e3)) return {};
+  return *energy * 1e9;
 }
 
 }  // namespace app::cli

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <system_error>
 
 namespace app::cli {
 
@@ -15,5 +19,16 @@ CLI::Validator finiteNumber();
 CLI::Validator wholeNumber(std::uint64_t least, std::uint64_t greatest);
 /// A text that is not empty.
 CLI::Validator notEmpty();
+
+/// The number that the whole of a text is.
+template <class Number>
+std::optional<Number> numberIn(const std::string& text) {
+  Number number{};
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return {};
+  return number;
+}
+/// J/m3, of a text that says from 0.001 to 1000 J/mm3 what cutting a material takes.
+std::optional<double> energyIn(const std::string& text);
 
 }  // namespace app::cli

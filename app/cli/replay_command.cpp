@@ -63,7 +63,9 @@ Outcome replay(const ReplayOptions& options) {
   }
   std::shared_ptr<const haptics::Watch> watch;
 #ifdef PALPATE_READERS
-  auto watched = watchOver(options.watch, **volume);
+  const auto labels = labelsOf(options.watch, **volume);
+  if (!labels) return refused(labels.error());
+  auto watched = watchOver(options.watch, *labels);
   if (!watched) return refused(watched.error());
   watch = *watched;
 #endif

@@ -180,7 +180,9 @@ Outcome makeReport(const ReportOptions& options) {
       return anotherScan("\"" + options.files[n] +
                          "\" was not recorded with this scan: its voxels are others, or lie "
                          "elsewhere; give recordings of one scan, and that scan or none.");
-  const auto watch = watchOver(options.watch, scan);
+  const auto labels = labelsOf(options.watch, scan);
+  if (!labels) return refused(labels.error());
+  const auto watch = watchOver(options.watch, *labels);
   if (!watch) return refused(watch.error());
 
   report::Report all;

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -14,12 +15,14 @@
 #include "app/build_info/build_info.h"
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
+#include "app/cli/options.h"
 #include "app/cli/recorded_run.h"
 #include "app/cli/sources.h"
 #include "app/cli/terminal.h"
 #include "app/cli/trace.h"
 #ifdef PALPATE_READERS
 #include "app/cli/watching.h"
+#include "datasets/edits/edit_history.h"
 #include "datasets/readers/nrrd/writer.h"
 #endif
 #include "app/export/facts.h"
@@ -63,7 +66,9 @@ struct RunOptions {
   int rate = haptics::ServoRate{}.hz;
   bool cut = false;
   double burr_speed_rpm = 60'000.0;
-  double burr_energy = 1.0;  ///< J/mm3
+  double burr_energy = 1.0;               ///< J/mm3
+  std::vector<std::string> bands = {};    ///< "700=2": from a value on, J/mm3
+  std::vector<std::string> tissues = {};  ///< "3=0.2", "1=never": of a structure
   std::string save_volume = {};
   std::string trace = {};
   std::string record = {};
@@ -248,6 +253,25 @@ std::optional<haptics::Burr> burrOf(const ToolChoice& choice, const haptics::Poi
   return haptics::ballAtTip(shell, 0.5 * tool->tip);
 }
 
+/// What it takes to cut the scan: of all values, and from some on.
+haptics::Expected<haptics::Material> materialFrom(double energy,
+                                                  const std::vector<std::string>& bands) {
+  haptics::Material material;
+  material.bands[0].energy = energy * 1e9;
+  for (const std::string& text : bands) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const auto from = numberIn<double>(text.substr(0, equals));
+    const auto takes = energyIn(text.substr(std::min(equals + 1, text.size())));
+    if (!from || !std::isfinite(*from) || !takes || material.count == haptics::Material::kBands)
+      return tl::unexpected(haptics::Error{
+          haptics::Error::Kind::NotFound, {"band-unreadable", {text}}, "unknown-name"});
+    material.bands[material.count++] = {*from, *takes};
+  }
+  std::sort(material.bands.begin() + 1, material.bands.begin() + std::ptrdiff_t(material.count),
+            [](const auto& one, const auto& other) { return one.from < other.from; });
+  return material;
+}
+
 /// All that decides a run: one number or word for each name, and lists of numbers.
 nlohmann::ordered_json settingsOf(const RunOptions& options, const haptics::Scene& scene) {
   const haptics::Volume& volume = *scene.volume;
@@ -286,6 +310,8 @@ nlohmann::ordered_json settingsOf(const RunOptions& options, const haptics::Scen
     json["burr_speed_rpm"] = options.burr_speed_rpm;
     json["burr_share"] = law.share;
     json["burr_energy_J_mm3"] = options.burr_energy;
+    if (!options.bands.empty()) json["burr_bands"] = options.bands;
+    if (!options.tissues.empty()) json["tissues"] = options.tissues;
   }
   return json;
 }
@@ -390,11 +416,20 @@ Outcome run(const RunOptions& options) {
          "isovalue"});
   std::shared_ptr<const haptics::Volume> touched = *volume;
 #ifdef PALPATE_READERS
-  auto watch = watchOver(options.watch, **volume);
+  const auto labels = labelsOf(options.watch, **volume);
+  if (!labels) return refused(labels.error());
+  auto watch = watchOver(options.watch, *labels);
   if (!watch) return refused(watch.error());
+  if (!options.tissues.empty()) {
+    auto table = tissuesFrom(options.tissues, **labels);
+    if (!table) return refused(table.error());
+    auto with = datasets::edited(*volume, std::array{datasets::Edit{std::move(*table)}});
+    if (!with) return refused(with.error());
+    touched = *with;
+  }
   const std::vector<datasets::StructureWall> walls = wallsOf(watch->get());
   const auto before_walls = std::chrono::steady_clock::now();
-  auto made = datasets::walled(*volume, walls, options.isovalue, {}, &interruption());
+  auto made = datasets::walled(touched, walls, options.isovalue, {}, &interruption());
   if (!made) return refused(made.error());
   touched = *made;
   const std::chrono::duration<double> wall_time = std::chrono::steady_clock::now() - before_walls;
@@ -432,7 +467,9 @@ Outcome run(const RunOptions& options) {
     loop.cut.emplace();
     loop.cut->burr = *burr;
     loop.cut->speed = options.burr_speed_rpm * 2.0 * std::numbers::pi / 60.0;
-    loop.cut->material.bands[0].energy = options.burr_energy * 1e9;
+    auto material = materialFrom(options.burr_energy, options.bands);
+    if (!material) return refused(material.error());
+    loop.cut->material = *material;
   }
   auto hand = handFor(options, **scene, loop.grip);
   if (!hand) return refused(hand.error());
@@ -636,10 +673,23 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->check(finiteNumber() & CLI::Range(0.001, 1000.0))
       ->needs(cut)
       ->capture_default_str();
+  command
+      ->add_option("--burr-band", options->bands,
+                   "What it takes from a value of the scan on: VALUE=ENERGY [J/mm3]; repeat it for "
+                   "more than one, at most 3")
+      ->allow_extra_args(false)
+      ->needs(cut);
 #ifdef PALPATE_READERS
   command->add_option("--save-volume", options->save_volume, "NRRD to write: what is left")
       ->check(notEmpty());
   addWatching(*command, options->watch, true);
+  command
+      ->add_option("--tissue", options->tissues,
+                   "What cutting a structure takes: N=ENERGY [J/mm3], or N=never; repeat it for "
+                   "more than one")
+      ->allow_extra_args(false)
+      ->needs(cut)
+      ->needs(command->get_option("--labels"));
 #endif
   command->add_option("--trace", options->trace, "CSV to write, one row per tick")
       ->check(notEmpty());

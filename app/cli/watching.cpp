@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "app/cli/terminal.h"
 #include "datasets/labels/distances.h"
 #include "datasets/labels/label_file.h"
+#include "datasets/labels/tissues.h"
 #include "resources/messages/messages.h"
 
 namespace app::cli {
@@ -29,6 +31,16 @@ tl::unexpected<haptics::Error> notThere(haptics::Message why) {
 /// Metres as millimetres, to the nanometre.
 double mm(double metres) { return std::round(metres * 1e9) / 1e6; }
 
+bool hasVoxels(const datasets::LabelMap& labels, int number) {
+  const auto& structures = labels.structures();
+  return number >= 1 && std::size_t(number) <= structures.size() &&
+         structures[std::size_t(number - 1)].voxels > 0;
+}
+tl::unexpected<haptics::Error> noStructure(const datasets::LabelMap& labels, int number) {
+  return notThere(
+      {"watch-no-structure", {std::to_string(number), std::to_string(labels.structures().size())}});
+}
+
 /// "3=softer:300" as the structure's number and how it is felt.
 Expected<std::pair<int, haptics::Feel>> feelFrom(const std::string& text) {
   const auto wrong = [&] { return notThere({"feel-unreadable", {text}}); };
@@ -39,17 +51,14 @@ Expected<std::pair<int, haptics::Feel>> feelFrom(const std::string& text) {
   const std::string kind = text.substr(equals + 1, at == std::string::npos ? at : at - equals - 1);
   while (at != std::string::npos) {
     const std::size_t next = text.find(':', at + 1);
-    double number = 0.0;
-    const char* const end = text.data() + std::min(next, text.size());
-    const auto read = std::from_chars(text.data() + at + 1, end, number);
-    if (read.ec != std::errc{} || read.ptr != end || !(number > 0.0 && number < 1e5))
-      return wrong();
-    numbers.push_back(number);
+    const auto number = numberIn<double>(text.substr(at + 1, std::min(next, text.size()) - at - 1));
+    if (!number || !(*number > 0.0 && *number < 1e5)) return wrong();
+    numbers.push_back(*number);
     at = next;
   }
-  int structure = 0;
-  const auto read = std::from_chars(text.data(), text.data() + equals, structure);
-  if (read.ec != std::errc{} || read.ptr != text.data() + equals) return wrong();
+  const auto number = numberIn<int>(text.substr(0, equals));
+  if (!number) return wrong();
+  const int structure = *number;
   if (kind == "solid" && numbers.empty())
     return std::pair{structure, haptics::Feel{.kind = haptics::Feel::Kind::Solid}};
   if (kind == "not-there" && numbers.empty())
@@ -87,12 +96,16 @@ void addWatching(CLI::App& command, WatchChoice& choice, bool felt) {
         ->needs(labels);
 }
 
-Expected<std::shared_ptr<const Watch>> watchOver(const WatchChoice& choice,
-                                                 const haptics::Volume& scan) {
+Expected<Labels> labelsOf(const WatchChoice& choice, const haptics::Volume& scan) {
   if (choice.labels.empty()) return nullptr;
-  const auto labels = datasets::readLabels(choice.labels, scan, {.cancel = &interruption()});
+  auto labels = datasets::readLabels(choice.labels, scan, {.cancel = &interruption()});
   if (!labels) return tl::unexpected(labels.error());
   for (const haptics::Message& note : labels->notes()) tell(resources::sentence(note));
+  return std::make_shared<const datasets::LabelMap>(std::move(*labels));
+}
+
+Expected<std::shared_ptr<const Watch>> watchOver(const WatchChoice& choice, const Labels& labels) {
+  if (labels == nullptr) return nullptr;
   const auto count = int(labels->structures().size());
   std::set<int> numbers(choice.structures.begin(), choice.structures.end());
   if (numbers.empty())
@@ -104,8 +117,7 @@ Expected<std::shared_ptr<const Watch>> watchOver(const WatchChoice& choice,
   auto watch = std::make_shared<Watch>();
   const datasets::DistanceOptions options = datasets::distancesOf(numbers.size());
   for (const int number : numbers) {
-    if (number > count || labels->structures()[std::size_t(number - 1)].voxels == 0)
-      return notThere({"watch-no-structure", {std::to_string(number), std::to_string(count)}});
+    if (!hasVoxels(*labels, number)) return noStructure(*labels, number);
     const auto structure = std::uint8_t(number - 1);
     auto map =
         datasets::distancesTo(*labels, structure, options, [](double) { return !interrupted(); });
@@ -118,11 +130,25 @@ Expected<std::shared_ptr<const Watch>> watchOver(const WatchChoice& choice,
     const auto found = std::ranges::find_if(watch->structures, [&](const Watch::Watched& watched) {
       return numberOf(watched) == feel->first;
     });
-    if (found == watch->structures.end())
-      return notThere({"watch-no-structure", {std::to_string(feel->first), std::to_string(count)}});
+    if (found == watch->structures.end()) return noStructure(*labels, feel->first);
     found->feel = feel->second;
   }
   return watch;
+}
+
+Expected<datasets::TissueTable> tissuesFrom(const std::vector<std::string>& texts,
+                                            const datasets::LabelMap& labels) {
+  std::vector<datasets::TissueWanted> wanted;
+  for (const std::string& text : texts) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const auto number = numberIn<int>(text.substr(0, equals));
+    const std::string kind = text.substr(std::min(equals + 1, text.size()));
+    const auto energy = kind == "never" ? std::optional{haptics::Tissues::kNever} : energyIn(kind);
+    if (!number || !energy) return notThere({"tissue-unreadable", {text}});
+    if (!hasVoxels(labels, *number)) return noStructure(labels, *number);
+    wanted.push_back({*number - 1, *energy});
+  }
+  return tissuesOf(labels, wanted);
 }
 
 Nearest::Nearest(std::shared_ptr<const Watch> watch) : watch_{std::move(watch)} {

@@ -7,6 +7,8 @@
 
 #include "app/cli/outcome.h"
 #include "app/cli/sources.h"
+#include "datasets/edits/edit.h"
+#include "datasets/labels/label_map.h"
 #include "haptics/scene/watch.h"
 
 namespace app::cli {
@@ -22,11 +24,19 @@ struct WatchChoice {
 /// Adds --labels and --watch, and --feel where it is felt.
 void addWatching(CLI::App& command, WatchChoice& choice, bool felt);
 
-/// The structures with their distance maps; null where none is watched. Refuses what readLabels()
-/// refuses, a number that no structure has, and more structures than a run can watch; and what is
-/// no --feel.
+/// The label map of a choice; null: it has none. Refuses what readLabels() refuses.
+using Labels = std::shared_ptr<const datasets::LabelMap>;
+haptics::Expected<Labels> labelsOf(const WatchChoice& choice, const haptics::Volume& scan);
+
+/// The structures with their distance maps; null where none is watched. Refuses a number that no
+/// structure has, and more structures than a run can watch; and what is no --feel.
 haptics::Expected<std::shared_ptr<const haptics::Watch>> watchOver(const WatchChoice& choice,
-                                                                   const haptics::Volume& scan);
+                                                                   const Labels& labels);
+
+/// What it takes to cut structures, from the --tissue of a run. Refuses a number that no structure
+/// has, and what is no --tissue.
+haptics::Expected<datasets::TissueTable> tissuesFrom(const std::vector<std::string>& texts,
+                                                     const datasets::LabelMap& labels);
 
 /// The number by which the user knows a structure: from 1.
 inline int numberOf(const haptics::Watch::Watched& watched) { return watched.structure + 1; }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "haptics/carving/burr.h"
+#include "haptics/carving/tissues.h"
 #include "haptics/core/error.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/volume.h"
@@ -94,12 +96,41 @@ class Stroke {
   std::shared_ptr<Made> made_;
 };
 
+/// What it takes to cut structures, whatever the scan's values say, or that they may not be cut.
+/// It writes no voxel, and takes the place of the one before it. Copies share the runs.
+class TissueTable {
+ public:
+  struct Part {
+    int structure = 0;                         ///< its number in the label map
+    double energy = haptics::Tissues::kNever;  ///< J/m3, above 0; kNever: it may not be cut
+    std::vector<haptics::VoxelRun> runs = {};  ///< its voxels, by k, j, i, apart
+  };
+  /// `dims`: of the scan. Runs lie in it.
+  explicit TissueTable(std::array<std::int64_t, 3> dims = {1, 1, 1}, std::vector<Part> parts = {})
+      : made_{std::make_shared<const Made>(Made{dims, std::move(parts)})} {}
+  const std::array<std::int64_t, 3>& dims() const { return made_->dims; }
+  const std::vector<Part>& parts() const { return made_->parts; }
+
+ private:
+  struct Made {
+    std::array<std::int64_t, 3> dims;
+    std::vector<Part> parts;
+  };
+  std::shared_ptr<const Made> made_;
+};
+
+inline std::int64_t voxelsOf(const TissueTable::Part& part) {
+  std::int64_t sum = 0;
+  for (const haptics::VoxelRun& run : part.runs) sum += run.count;
+  return sum;
+}
+
 inline constexpr std::size_t kMostCuts = 200'000;  ///< of a stroke: minutes of it
 
-/// One thing that the user took away, as a command: applied to the same volume it gives the same
-/// voxels, to the bit. A session file and a recording store it as text.
+/// One thing that the user took away, or may not be cut, as a command: applied to the same volume
+/// it gives the same voxels, to the bit. A session file and a recording store it as text.
 using Edit = std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces,
-                          RemoveHolder, Stroke>;
+                          RemoveHolder, Stroke, TissueTable>;
 
 /// One line of JSON; numbers so that reading gives the same double.
 std::string textOf(const Edit& edit);

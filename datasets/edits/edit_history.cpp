@@ -57,6 +57,30 @@ haptics::Expected<void> cropDraft(Draft& draft, const Crop& crop) {
   return {};
 }
 
+haptics::Expected<void> setTissues(Draft& draft, const TissueTable& table) {
+  if (table.dims() != draft.volume.grid.dims)
+    return editRefused({"edit-other-grid", {}}, "other-grid");
+  const auto before = std::exchange(draft.volume.tissues, nullptr);
+  if (table.parts().empty()) return before ? haptics::Expected<void>{} : nothingTaken();
+  std::vector<haptics::Tissues::Part> parts;
+  for (const TissueTable::Part& part : table.parts()) parts.push_back({part.runs, part.energy});
+  draft.volume.tissues = std::make_shared<const haptics::Tissues>(draft.volume.grid, parts);
+  return {};
+}
+
+/// Whether an edit writes voxels; if not, `draft` has it now.
+haptics::Expected<bool> writesVoxels(Draft& draft, const Edit& edit) {
+  haptics::Expected<void> done;
+  if (const auto* crop = std::get_if<Crop>(&edit))
+    done = cropDraft(draft, *crop);
+  else if (const auto* table = std::get_if<TissueTable>(&edit))
+    done = setTissues(draft, *table);
+  else
+    return true;
+  if (!done) return tl::unexpected(done.error());
+  return false;
+}
+
 haptics::Expected<haptics::Lowered> lowered(const haptics::Volume& volume,
                                             const haptics::RowCutter& cutter, void* written,
                                             const EditProgress& progress) {
@@ -111,10 +135,9 @@ haptics::Expected<void> applyAll(const haptics::Volume& scan, std::span<const Ed
       part.advanced = [&watch, n, count = edits.size()](double fraction) {
         watch.advanced((static_cast<double>(n) + fraction) / static_cast<double>(count));
       };
-    if (const auto* crop = std::get_if<Crop>(&edits[n])) {
-      if (auto done = cropDraft(draft, *crop); !done) return done;
-      continue;
-    }
+    const auto writes = writesVoxels(draft, edits[n]);
+    if (!writes) return tl::unexpected(writes.error());
+    if (!*writes) continue;
     if (!draft.view) {
       auto view = viewOf(scan, scan.voxels.get(), draft.touched);
       if (!view) return tl::unexpected(view.error());
@@ -193,7 +216,7 @@ haptics::Expected<Removal> removalWith(const haptics::Volume& volume, const Edit
       return tl::unexpected(possible.error());
     return removalOfCrop(volume, *crop, isovalue);
   }
-  if (std::holds_alternative<Stroke>(edit)) return nothingTaken();
+  if (std::holds_alternative<Stroke>(edit) || !takesAway(edit)) return nothingTaken();
   const auto made = operatorOf(volume, edit, isovalue, watch);
   if (!made) return tl::unexpected(made.error());
   auto taken = lowered(volume, **made, nullptr, {watch, kFound, 1.0});
@@ -227,10 +250,12 @@ class EditHistory::State {
 
   /// One edit in force, and what takes it back.
   struct Step {
-    TouchedBlocks touched;                   ///< before it
-    std::uint64_t digest = 0;                ///< of the voxels before it
-    std::optional<haptics::VoxelBox> crop;   ///< before it
-    std::shared_ptr<const Journal> journal;  ///< null: it was dropped
+    TouchedBlocks touched;                            ///< before it
+    std::uint64_t digest = 0;                         ///< of the voxels before it
+    std::optional<haptics::VoxelBox> crop;            ///< before it
+    std::shared_ptr<const haptics::Tissues> tissues;  ///< before it
+    bool writes = false;                              ///< it writes voxels
+    std::shared_ptr<const Journal> journal;           ///< null: it was dropped
     std::vector<haptics::VoxelBox> changed;
     std::size_t bytes() const { return journal ? journal->bytes() + touched.bytes() : 0; }
   };
@@ -275,8 +300,9 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> EditHistory::State::ap
   Draft draft{*present, nullptr, touched, digest};
   ChangedBoxes changed{scan->grid};
   Journal journal;
-  if (const auto* crop = std::get_if<Crop>(&edit)) {
-    if (auto done = cropDraft(draft, *crop); !done) return tl::unexpected(done.error());
+  const auto writes = writesVoxels(draft, edit);
+  if (!writes) return tl::unexpected(writes.error());
+  if (!*writes) {
     changed.add(present->bounds(), draft.volume.bounds());
   } else {
     auto view = viewOf(*scan, present->voxels.get(), touched);
@@ -311,7 +337,8 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> EditHistory::State::ap
   auto kept = std::make_shared<const Journal>(std::move(journal));
   steps.reserve(steps.size() + 1);
   // nothing from here on needs memory
-  steps.push_back({std::move(touched), digest, present->crop, std::move(kept), std::move(boxes)});
+  steps.push_back({std::move(touched), digest, present->crop, present->tissues, *writes,
+                   std::move(kept), std::move(boxes)});
   touched = std::move(after);
   digest = digest_after;
   edits = std::move(all);
@@ -331,7 +358,8 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> EditHistory::State::ta
     const Step& step = steps.back();
     Draft draft{*present, nullptr, step.touched, step.digest};
     draft.volume.crop = step.crop;
-    if (!std::holds_alternative<Crop>(edits.back())) {
+    draft.volume.tissues = step.tissues;
+    if (step.writes) {
       auto view = viewOf(*scan, present->voxels.get(), step.touched);
       if (!view) return tl::unexpected(view.error());
       step.journal->restore(*scan, view->get(), step.touched);

@@ -13,8 +13,10 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestText = 1 << 24;  // bytes; most cuts have less
-constexpr double kFarthest = 1e4;              // m, or a tangent
-constexpr double kSkew = 1e-6;                 // of unit vectors and rotations that were rounded
+constexpr int kMostParts = 256;
+constexpr std::int64_t kMostAlong = 1 << 20;  // voxels: a product of three fits in 64 bits
+constexpr double kFarthest = 1e4;             // m, or a tangent
+constexpr double kSkew = 1e-6;                // of unit vectors and rotations that were rounded
 
 json listOfNumbers(const haptics::Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -64,6 +66,27 @@ json wordsOfEdit(const RemoveHolder& holder) {
   return {{"edit", "remove-holder"}, {"isovalue", holder.isovalue}};
 }
 
+/// Runs as the voxels between them and their own, in the order of the scan's voxels.
+json wordsOfEdit(const TissueTable& table) {
+  const auto& dims = table.dims();
+  json parts = json::array();
+  for (const TissueTable::Part& part : table.parts()) {
+    json runs = json::array();
+    std::int64_t end = 0;
+    for (const haptics::VoxelRun& run : part.runs) {
+      const std::int64_t first = (run.k * dims[1] + run.j) * dims[0] + run.i;
+      runs.push_back(first - end);
+      runs.push_back(run.count);
+      end = first + run.count;
+    }
+    json words{{"structure", part.structure}, {"runs", std::move(runs)}};
+    // without: it may not be cut
+    if (part.energy != haptics::Tissues::kNever) words["energy_J_m3"] = part.energy;
+    parts.push_back(std::move(words));
+  }
+  return {{"edit", "tissues"}, {"dims", dims}, {"parts", std::move(parts)}};
+}
+
 /// Cuts that go on where the one before has ended are one way, a list of places.
 json wordsOfEdit(const Stroke& stroke) {
   const std::vector<haptics::BurrCut>& cuts = stroke.cuts();
@@ -109,17 +132,22 @@ class EditWords {
     const json& list = take(key);
     if (!list.is_array() || list.size() != 3) refuseWord();
     std::array<std::int64_t, 3> index{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (!list[a].is_number_integer()) refuseWord();
-      index[a] = list[a].get<std::int64_t>();
-      if (index[a] < 0 || index[a] > (std::int64_t{1} << 31)) refuseWord();
-    }
+    for (std::size_t a = 0; a < 3; ++a) index[a] = wholeOf(list[a], std::int64_t{1} << 31);
     return index;
   }
+  std::int64_t whole(const char* key, std::int64_t most) { return wholeOf(take(key), most); }
+  bool has(const char* key) const { return words_.contains(key); }
   void end() const {
     if (taken_ != words_.size()) refuseWord();
   }
 
+  /// A whole number from 0 on.
+  static std::int64_t wholeOf(const json& word, std::int64_t most) {
+    if (!word.is_number_integer()) refuseWord();
+    const auto value = word.get<std::int64_t>();
+    if (value < 0 || value > most) refuseWord();
+    return value;
+  }
   static double numberOf(const json& word, double most) {
     if (!word.is_number()) refuseWord();
     const double value = word.get<double>();
@@ -192,6 +220,42 @@ Edit strokeFrom(EditWords& all) {
   return Stroke{std::move(cuts), removed};
 }
 
+TissueTable::Part tissuesFrom(const json& one, const std::array<std::int64_t, 3>& dims) {
+  EditWords words{one};
+  TissueTable::Part part;
+  part.structure = static_cast<int>(words.whole("structure", kMostParts - 1));
+  if (words.has("energy_J_m3")) {
+    part.energy = words.number("energy_J_m3", kGreatestValue);
+    if (!(part.energy > 0.0)) refuseWord();
+  }
+  const json& runs = words.take("runs");
+  words.end();
+  if (!runs.is_array() || runs.size() % 2 != 0) refuseWord();
+  const std::int64_t voxels = dims[0] * dims[1] * dims[2];
+  std::int64_t at = 0;
+  for (std::size_t n = 0; n < runs.size(); n += 2) {
+    at += EditWords::wholeOf(runs[n], voxels);
+    const std::int64_t count = EditWords::wholeOf(runs[n + 1], dims[0]), i = at % dims[0];
+    if (count == 0 || i + count > dims[0] || at + count > voxels) refuseWord();
+    const std::int64_t j = at / dims[0] % dims[1], k = at / (dims[0] * dims[1]);
+    part.runs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
+                         static_cast<std::int32_t>(k), static_cast<std::int32_t>(count)});
+    at += count;
+  }
+  return part;
+}
+
+Edit tableFrom(EditWords& words) {
+  const auto dims = words.index("dims");
+  if (std::ranges::any_of(dims, [](std::int64_t n) { return n < 1 || n > kMostAlong; }))
+    refuseWord();
+  const json& all = words.take("parts");
+  if (!all.is_array() || all.size() > kMostParts) refuseWord();
+  std::vector<TissueTable::Part> parts;
+  for (const json& one : all) parts.push_back(tissuesFrom(one, dims));
+  return TissueTable{dims, std::move(parts)};
+}
+
 Edit editOfWords(const json& all) {
   EditWords words{all};
   const std::string kind = words.take("edit").get<std::string>();
@@ -219,6 +283,8 @@ Edit editOfWords(const json& all) {
     edit = pieces;
   } else if (kind == "remove-holder") {
     edit = RemoveHolder{words.number("isovalue", kGreatestValue)};
+  } else if (kind == "tissues") {
+    edit = tableFrom(words);
   } else if (kind == "stroke") {
     edit = strokeFrom(words);
   } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 #include "datasets/edits/edit.h"
@@ -17,9 +18,22 @@ struct Edited : haptics::Derivation {
   std::uint64_t digest = 0;
 };
 
+/// Whether an edit lowers voxels or crops: a TissueTable does neither.
+inline bool takesAway(const Edit& edit) { return !std::holds_alternative<TissueTable>(edit); }
+
 /// What was taken away; null: nothing.
 inline const Edited* editedOf(const haptics::Volume& volume) {
   return dynamic_cast<const Edited*>(volume.derivation.get());
+}
+
+/// What it takes to cut structures of a volume; null: what its values say.
+inline const TissueTable* tissuesIn(const haptics::Volume& volume) {
+  const Edited* edited = editedOf(volume);
+  if (edited == nullptr) return nullptr;
+  const TissueTable* last = nullptr;
+  for (const Edit& edit : edited->edits)
+    if (const auto* table = std::get_if<TissueTable>(&edit)) last = table;
+  return last;
 }
 
 }  // namespace datasets

@@ -16,6 +16,18 @@ constexpr double kBias = 0.165;
 // sphere has there more than a plane is a 24th of its curvature twice.
 constexpr double kCounted = kBias + 1.0 / 12.0;
 
+/// Leaves voxels of a chunk, from one to another, as they were.
+template <class Real>
+void restore(lanes::RowOfVoxels<Real>& voxels, std::int64_t first, std::int64_t end) HAPTICS_RT {
+  for (std::int64_t n = std::max<std::int64_t>(first, 0);
+       n < std::min<std::int64_t>(end, lanes::kRowChunk); ++n) {
+    if (voxels.after[n] == voxels.before[n]) continue;
+    voxels.after[n] = voxels.before[n];
+    voxels.parts &= ~(std::uint64_t{1} << n);
+    --voxels.changed;
+  }
+}
+
 }  // namespace
 
 bool isPossible(const BurrCut& cut) {
@@ -29,6 +41,7 @@ bool isPossible(const BurrCut& cut) {
 BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     : dims_{volume.grid.dims},
       type_{volume.type},
+      tissues_{volume.tissues.get()},
       spacing_{volume.grid.spacing},
       radius_{cut.radius},
       isovalue_{cut.isovalue},
@@ -64,6 +77,9 @@ BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     box_ = {};
   else
     rows_ = (box_.end[1] - box_.first[1]) * (box_.end[2] - box_.first[2]);
+  // beside a voxel that is kept, one may be lowered to the background
+  if (tissues_ != nullptr && rows_ > 0 && tissues_->mayKeep(box_))
+    steepest_ = std::max(steepest_, volume.greatest - volume.least);
   // 32 bits of a whole number are more than a float has
   if (type_ == ScalarType::UInt32 || type_ == ScalarType::Int32)
     in_double_ = ball<double>(profile);
@@ -97,6 +113,7 @@ lanes::BallAtRow<Real> BurrCarving::ball(const WallProfile& profile) const HAPTI
 
 template <class T>
 Removed BurrCarving::lowerTyped(T* row, const T* scan, double y, double z,
+                                std::span<const Tissues::Run> runs,
                                 const Material& material) const HAPTICS_RT {
   Removed removed;
   const double dy = y - middle_.y(), dz = z - middle_.z();
@@ -121,6 +138,12 @@ Removed BurrCarving::lowerTyped(T* row, const T* scan, double y, double z,
       ball.x = static_cast<Real>(static_cast<double>(i) * spacing_.x() - a_.x());
       lanes::lower(ball, count, voxels);
       if (voxels.changed == 0) continue;
+      while (!runs.empty() && runs.front().end <= i) runs = runs.subspan(1);
+      for (const Tissues::Run& run : runs) {
+        if (run.first >= i + count) break;
+        if (!run.mayBeCut()) restore(voxels, run.first - i, std::min(run.end - i, end - i));
+      }
+      if (voxels.changed == 0) continue;
       removed.voxels += voxels.changed;
       std::transform(voxels.after, voxels.after + count, v,
                      [](Real value) { return static_cast<T>(value); });
@@ -128,7 +151,10 @@ Removed BurrCarving::lowerTyped(T* row, const T* scan, double y, double z,
         const int n = std::countr_zero(parts);
         const double part = static_cast<double>(voxels.part[n]);
         removed.volume += part;
-        removed.energy += part * material.energyAt(static_cast<double>(scan[i + n]));
+        while (!runs.empty() && runs.front().end <= i + n) runs = runs.subspan(1);
+        const bool is_known = !runs.empty() && runs.front().first <= i + n;
+        removed.energy += part * (is_known ? static_cast<double>(runs.front().energy)
+                                           : material.energyAt(static_cast<double>(scan[i + n])));
       }
     }
   };
@@ -154,6 +180,7 @@ Removed BurrCarving::lowerRow(void* voxels, const void* scan, const Material& ma
     using T = std::remove_cvref_t<decltype(*typed)>;
     return lowerTyped(static_cast<T*>(voxels) + at, typed + at,
                       static_cast<double>(j) * spacing_.y(), static_cast<double>(k) * spacing_.z(),
+                      tissues_ != nullptr ? tissues_->row(j, k) : std::span<const Tissues::Run>{},
                       material);
   });
   const double voxel = spacing_.prod();

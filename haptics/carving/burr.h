@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "haptics/carving/burr_lanes.h"
 #include "haptics/carving/material.h"
+#include "haptics/carving/tissues.h"
 #include "haptics/carving/wall.h"
 #include "haptics/core/geometry.h"
 #include "haptics/core/realtime.h"
@@ -43,9 +45,9 @@ struct Removed {
   }
 };
 
-/// Carries out a cut: no voxel stays above the profile of the wall at its distance to the burr
-/// (README.md, "The burr"). An absolute value and no decrement, so neither order nor repetition of
-/// cuts matters. It goes row by row, and may be left between two of them.
+/// Carries out a cut: no voxel that may be cut stays above the profile of the wall at its distance
+/// to the burr (README.md, "The burr"). An absolute value and no decrement, so neither order nor
+/// repetition of cuts matters. It goes row by row, and may be left between two of them.
 class BurrCarving {
  public:
   BurrCarving() = default;
@@ -63,21 +65,23 @@ class BurrCarving {
 
   bool isDone() const HAPTICS_RT { return next_ >= rows_; }
   std::int64_t voxelsInRow() const HAPTICS_RT { return box_.end[0] - box_.first[0]; }
-  /// Lowers the next row. `voxels` and `scan` have the grid and the type of the volume; what the
-  /// scan has there says which material it is, whatever was cut meanwhile.
+  /// Lowers the next row, but for voxels that may not be cut (Volume::tissues). `voxels` and `scan`
+  /// have the grid and the type of the volume; where the volume's tissues do not say which material
+  /// it is, the scan's value does.
   Removed lowerRow(void* voxels, const void* scan, const Material& material) HAPTICS_RT;
   /// Lowers all rows that are left. Without a material: nobody asks for the energy.
   Removed lowerAll(void* voxels, const void* scan);
 
  private:
   template <class T>
-  Removed lowerTyped(T* row, const T* scan, double y, double z,
+  Removed lowerTyped(T* row, const T* scan, double y, double z, std::span<const Tissues::Run> runs,
                      const Material& material) const HAPTICS_RT;
   template <class Real>
   lanes::BallAtRow<Real> ball(const WallProfile& profile) const HAPTICS_RT;
 
   std::array<std::int64_t, 3> dims_{};
   ScalarType type_ = ScalarType::Int16;
+  const Tissues* tissues_ = nullptr;  ///< the volume's, which lives longer
   VoxelBox box_;
   Vec3 spacing_ = Vec3::Ones();
   // m, along the grid's axes from its voxel (0, 0, 0)

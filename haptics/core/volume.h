@@ -48,6 +48,7 @@ inline bool isEmpty(const VoxelBox& box) { return box.end[0] <= box.first[0]; }
 /// The least box that holds two boxes, each of which may be empty.
 VoxelBox joined(const VoxelBox& one, const VoxelBox& other);
 
+class Tissues;      // carving/tissues.h
 class VoxelMemory;  // core/voxel_memory.h
 struct Derivation;
 
@@ -74,6 +75,8 @@ struct Volume {
   /// The voxels that exist, a box within the grid; none: all of them. Beyond it F falls to the
   /// background within one voxel, as it does beyond the grid.
   std::optional<VoxelBox> crop = {};
+  /// What it takes to cut some structures; null: what the values say.
+  std::shared_ptr<const Tissues> tissues = {};
   /// The memory object that `voxels` is a view of; null: they cannot be edited.
   std::shared_ptr<const VoxelMemory> memory = {};
   /// How it came about from a scan; null: it is the scan.

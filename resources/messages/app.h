@@ -15,6 +15,15 @@ inline constexpr Row kApp[] = {
      "\"%1\" is no way to feel a structure; write its number and how, such as 3=softer:300, "
      "2=guarded:2:1.5, 1=solid or 4=not-there.",
      "unknown-name"},
+    {"tissue-unreadable",
+     "\"%1\" does not say what cutting a structure takes; write its number and 0.001 to 1000 "
+     "J/mm3, "
+     "such as 3=0.2, or 1=never.",
+     "unknown-name"},
+    {"band-unreadable",
+     "\"%1\" does not say what cutting takes from a value on; write the value and 0.001 to 1000 "
+     "J/mm3, such as 700=2, at most 3 times.",
+     "unknown-name"},
     {"watch-too-many",
      "Distances to %1 structures are too many at a time; name %2 of them at most, with --watch.",
      "unknown-name"},

@@ -1823,6 +1823,18 @@
         <source>&quot;%1&quot; was not saved: with so many notes and edits it would be larger than 64 MB; delete some and save again.</source>
         <translation>„%1“ wurde nicht gespeichert: Mit so vielen Notizen und Bearbeitungen wäre die Datei größer als 64 MB; löschen Sie einige und speichern Sie noch einmal.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; does not say what cutting a structure takes; write its number and 0.001 to 1000 J/mm3, such as 3=0.2, or 1=never.</source>
+        <translation>„%1“ sagt nicht, was es braucht, eine Struktur zu schneiden; schreiben Sie ihre Nummer und 0.001 bis 1000 J/mm3, etwa 3=0.2, oder 1=never.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not say what cutting takes from a value on; write the value and 0.001 to 1000 J/mm3, such as 700=2, at most 3 times.</source>
+        <translation>„%1“ sagt nicht, was das Schneiden ab einem Wert braucht; schreiben Sie den Wert und 0.001 bis 1000 J/mm3, etwa 700=2, höchstens dreimal.</translation>
+    </message>
+    <message>
+        <source>The structures that may not be cut are those of another scan; open this one&apos;s again.</source>
+        <translation>Die Strukturen, die nicht geschnitten werden dürfen, sind die einer anderen Aufnahme; öffnen Sie die dieser Aufnahme noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>
@@ -3620,6 +3632,42 @@
     <message>
         <source>Removed: %1 mm³. Strokes: %2, the last %3 mm³.</source>
         <translation>Entfernt: %1 mm³. Züge: %2, der letzte %3 mm³.</translation>
+    </message>
+    <message>
+        <source>Add a material</source>
+        <translation>Material hinzufügen</translation>
+    </message>
+    <message>
+        <source>From a value of the scan on another energy: denser bone takes longer to cut</source>
+        <translation>Ab einem Wert der Aufnahme eine andere Energie: Dichterer Knochen braucht länger</translation>
+    </message>
+    <message>
+        <source>From this value of the scan on</source>
+        <translation>Ab diesem Wert der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Removes this material</source>
+        <translation>Entfernt dieses Material</translation>
+    </message>
+    <message>
+        <source>Remove this material</source>
+        <translation>Dieses Material entfernen</translation>
+    </message>
+    <message>
+        <source>Where the scan has this value or more</source>
+        <translation>Wo die Aufnahme diesen Wert oder mehr hat</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>Structures that may not be cut: %1.</source>
+        <translation>Strukturen, die nicht geschnitten werden dürfen: %1.</translation>
+    </message>
+    <message>
+        <source>Structures with an energy of their own: %1.</source>
+        <translation>Strukturen mit eigener Energie: %1.</translation>
     </message>
 </context>
 <context>
@@ -7855,6 +7903,50 @@
     <message>
         <source>Tell the distance (%1 of memory)</source>
         <translation>Abstand nennen (%1 Speicher)</translation>
+    </message>
+    <message>
+        <source>Never cut</source>
+        <translation>Nie geschnitten</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Energy that a cubic millimetre takes</source>
+        <translation>Energie, die ein Kubikmillimeter braucht</translation>
+    </message>
+    <message>
+        <source> J/mm³</source>
+        <translation> J/mm³</translation>
+    </message>
+    <message>
+        <source>How the structure is cut</source>
+        <translation>Wie die Struktur geschnitten wird</translation>
+    </message>
+    <message>
+        <source>What a burr removes of it; Undo takes the choice back, as an edit</source>
+        <translation>Was ein Bohrer von ihr wegnimmt; Rückgängig nimmt die Wahl zurück, wie eine Bearbeitung</translation>
+    </message>
+    <message>
+        <source>As its values say</source>
+        <translation>Wie ihre Werte sagen</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nie</translation>
+    </message>
+    <message>
+        <source>With this energy</source>
+        <translation>Mit dieser Energie</translation>
+    </message>
+    <message>
+        <source>What it takes to remove a cubic millimetre of the structure</source>
+        <translation>Was es braucht, einen Kubikmillimeter der Struktur wegzunehmen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
     </message>
 </context>
 <context>

@@ -16,13 +16,15 @@
 #include "ui/controls/bindings.h"
 #include "ui/controls/hint_label.h"
 #include "ui/controls/number_box.h"
+#include "ui/props/structures.h"
 
 namespace ui {
 namespace {
 
 constexpr double kForceStep = 0.1;  // N
 constexpr int kInRow = 4;           // burrs
-constexpr int kLeast = 40;          // px: four stand in the narrowest panel
+constexpr int kMostBands = 3;
+constexpr int kLeast = 40;  // px: four stand in the narrowest panel
 
 QString shown(double mm3) { return QLocale().toString(mm3, 'f', mm3 < 100.0 ? 1 : 0); }
 
@@ -34,6 +36,7 @@ CutPanel::CutPanel(QWidget* parent)
       burr_rows_(new QGridLayout),
       state_(hintLabel()),
       removed_(hintLabel()),
+      tissues_(hintLabel()),
       speed_(numberBox({.name = "burrSpeed",
                         .accessible = tr("Speed of the burr"),
                         .least = 1'000.0,
@@ -42,11 +45,12 @@ CutPanel::CutPanel(QWidget* parent)
                         .suffix = tr(" /min")})),
       energy_(numberBox({.name = "burrEnergy",
                          .accessible = tr("Energy that a cubic millimetre takes"),
-                         .least = 0.01,
-                         .most = 100.0,
+                         .least = kLeastCutEnergy,
+                         .most = kMostCutEnergy,
                          .step = 0.1,
                          .decimals = 2,
                          .suffix = tr(" J/mm³")})),
+      add_band_(new QPushButton(tr("Add a material"))),
       undo_(new QPushButton(tr("Undo"))),
       redo_(new QPushButton(tr("Redo"))),
       tint_(new QCheckBox(tr("Colour what was cut"))) {
@@ -82,6 +86,8 @@ CutPanel::CutPanel(QWidget* parent)
   column->addLayout(burr_rows_);
   column->addWidget(state_);
   column->addLayout(form);
+  column->addWidget(buildBands());
+  column->addWidget(tissues_);
   column->addWidget(removed_);
   column->addLayout(steps);
   column->addWidget(tint_);
@@ -92,6 +98,87 @@ CutPanel::CutPanel(QWidget* parent)
   connect(tint_, &QCheckBox::toggled, this, &CutPanel::tintChosen);
   setSteps(false, false);
   show(CutTold{});
+  showTissues(0, 0);
+}
+
+QWidget* CutPanel::buildBands() {
+  add_band_->setObjectName("addBand");
+  add_band_->setToolTip(
+      tr("From a value of the scan on another energy: denser bone takes longer to cut"));
+  connect(add_band_, &QPushButton::clicked, this, [this] {
+    addBand();
+    emit numbersChanged();
+  });
+  auto* part = new QWidget;
+  band_rows_ = new QVBoxLayout(part);
+  band_rows_->setContentsMargins(0, 0, 0, 0);
+  band_rows_->setSpacing(4);
+  band_rows_->addWidget(add_band_, 0, Qt::AlignLeft);
+  return part;
+}
+
+void CutPanel::addBand() {
+  auto* row = new QWidget;
+  auto* from = numberBox({.name = "bandFrom",
+                          .accessible = tr("From this value of the scan on"),
+                          .least = least_,
+                          .most = greatest_,
+                          .step = 50.0,
+                          .suffix = unit_});
+  auto* energy = numberBox({.name = "bandEnergy",
+                            .accessible = tr("Energy that a cubic millimetre takes"),
+                            .least = kLeastCutEnergy,
+                            .most = kMostCutEnergy,
+                            .step = 0.1,
+                            .decimals = 2,
+                            .suffix = tr(" J/mm³")});
+  auto* remove = new QToolButton;
+  remove->setObjectName("removeBand");
+  remove->setText(QStringLiteral("×"));
+  remove->setToolTip(tr("Removes this material"));
+  remove->setAccessibleName(tr("Remove this material"));
+  from->setToolTip(tr("Where the scan has this value or more"));
+  from->setValue(std::round(0.5 * (least_ + greatest_)));
+  energy->setValue(energy_->value());
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(4);
+  line->addWidget(new QLabel(tr("From")));
+  line->addWidget(from, 1);
+  line->addWidget(energy, 1);
+  line->addWidget(remove);
+  for (NumberBox* box : {from, energy}) {
+    box->setKeyboardTracking(false);
+    connect(box, &NumberBox::valueChanged, this, &CutPanel::numbersChanged);
+  }
+  connect(remove, &QToolButton::clicked, this, [this, row] {
+    bands_.removeIf([row](const BandRow& band) { return band.row == row; });
+    row->deleteLater();
+    add_band_->setEnabled(true);
+    emit numbersChanged();
+  });
+  band_rows_->insertWidget(static_cast<int>(bands_.size()), row);
+  bands_.append({row, from, energy});
+  add_band_->setEnabled(bands_.size() < kMostBands);
+}
+
+void CutPanel::setValues(double least, double greatest, const QString& unit) {
+  least_ = least;
+  greatest_ = greatest;
+  unit_ = unit.isEmpty() ? QString{} : QStringLiteral(" ") + unit;
+  for (const BandRow& band : bands_) {
+    const QSignalBlocker quiet(band.from);
+    band.from->setRange(least_, greatest_);
+    band.from->setSuffix(unit_);
+  }
+}
+
+void CutPanel::showTissues(int never, int own) {
+  QStringList words;
+  if (never > 0) words.append(tr("Structures that may not be cut: %1.").arg(never));
+  if (own > 0) words.append(tr("Structures with an energy of their own: %1.").arg(own));
+  tissues_->setText(words.join(QStringLiteral(" ")));
+  tissues_->setVisible(!words.isEmpty());
 }
 
 void CutPanel::setBurrs(const QList<BurrChoice>& burrs) {
@@ -120,7 +207,12 @@ void CutPanel::showTool(const QString& id) {
     button->setChecked(button->objectName() == QStringLiteral("cut_") + id);
 }
 
-BurrNumbers CutPanel::numbers() const { return {speed_->value(), energy_->value()}; }
+BurrNumbers CutPanel::numbers() const {
+  BurrNumbers numbers{speed_->value(), energy_->value()};
+  for (const BandRow& band : bands_)
+    numbers.bands.append({band.from->value(), band.energy->value()});
+  return numbers;
+}
 
 void CutPanel::showState(State state, double force) {
   if (state == shown_ && std::abs(force - shown_force_) < kForceStep) return;

@@ -10,6 +10,7 @@ class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace ui {
 
@@ -20,10 +21,16 @@ struct BurrChoice {
   QString id, label, tip;
 };
 
+/// From a value of the scan on, what a material takes.
+struct BurrBand {
+  double from = 0.0, energy_J_mm3 = 1.0;
+};
+
 /// How fast a burr turns, and what its material takes.
 struct BurrNumbers {
   double speed_rpm = 60'000.0;
   double energy_J_mm3 = 1.0;
+  QList<BurrBand> bands = {};  ///< in any order
 };
 
 /// The volume that a burr has removed, by the strokes that are in force.
@@ -53,6 +60,10 @@ class CutPanel : public QWidget {
   /// `force`: N, on the turning burr.
   void showState(State state, double force = 0.0);
   void show(const CutTold& told);
+  /// How many structures may not be cut, and how many take an energy of their own.
+  void showTissues(int never, int own);
+  /// The scan's values: where a band may begin. Their unit may be empty.
+  void setValues(double least, double greatest, const QString& unit);
   using QWidget::show;
   void setSteps(bool undo, bool redo);
   bool tint() const;
@@ -65,10 +76,23 @@ class CutPanel : public QWidget {
   void tintChosen(bool on);
 
  private:
+  /// A row of the table of materials.
+  struct BandRow {
+    QWidget* row;
+    NumberBox *from, *energy;
+  };
+  QWidget* buildBands();
+  void addBand();
+
   QButtonGroup* burrs_;
   QGridLayout* burr_rows_;
-  QLabel *state_, *removed_;
+  QLabel *state_, *removed_, *tissues_;
   NumberBox *speed_, *energy_;
+  QVBoxLayout* band_rows_ = nullptr;
+  QPushButton* add_band_;
+  QList<BandRow> bands_;
+  double least_ = 0.0, greatest_ = 0.0;  ///< values of the scan
+  QString unit_;
   QPushButton *undo_, *redo_;
   QCheckBox* tint_;
   State shown_ = State::Preparing;

@@ -88,11 +88,14 @@ constexpr FeelField kFeelFields[] = {
      QT_TRANSLATE_NOOP("ui::StructuresPanel", "The greatest force, at the structure and within")}};
 
 /// As its row says it; empty: as the scan has it.
-QString feltWords(const StructureFeel& feel) {
-  if (feel.kind == StructureFeel::Kind::AsScan) return {};
+QString feltWords(const StructureLook& look) {
+  QStringList words;
   for (const FeelChoice& choice : kFeels)
-    if (choice.kind == feel.kind) return StructuresPanel::tr(choice.name);
-  return {};
+    if (choice.kind == look.feel.kind && choice.kind != StructureFeel::Kind::AsScan)
+      words.append(StructuresPanel::tr(choice.name));
+  if (look.cutting.kind == StructureCutting::Kind::Never)
+    words.append(StructuresPanel::tr("Never cut"));
+  return words.join(StructuresPanel::tr(", "));
 }
 
 /// As reports number it.
@@ -150,7 +153,7 @@ void showLook(QTableWidget& list, int row, const StructureLook& look) {
   // a name has the room of a distance that is not told
   if (const int cells = look.watched ? 1 : 2; list.columnSpan(row, StructureName) != cells)
     list.setSpan(row, StructureName, 1, cells);
-  cellOf(list, row, StructureFelt).setText(feltWords(look.feel));
+  cellOf(list, row, StructureFelt).setText(feltWords(look));
   cellOf(list, row, StructureOpacity)
       .setText(StructuresPanel::tr("%1 %").arg(qRound(100.0 * look.opacity)));
 }
@@ -170,6 +173,14 @@ StructuresPanel::StructuresPanel(QWidget* parent)
       opacity_(new NumberBox),
       watch_(new QCheckBox(tr("Tell the distance"))),
       feel_(new QComboBox),
+      cutting_(new QComboBox),
+      cut_energy_(numberBox({.name = "structureCutEnergy",
+                             .accessible = tr("Energy that a cubic millimetre takes"),
+                             .least = kLeastCutEnergy,
+                             .most = kMostCutEnergy,
+                             .step = 0.1,
+                             .decimals = 2,
+                             .suffix = tr(" J/mm³")})),
       near_mm_(new NumberBox),
       close_mm_(new NumberBox),
       sound_(new QCheckBox(tr("Beep when near"))),
@@ -285,6 +296,7 @@ QWidget* StructuresPanel::buildChosen() {
   grid->addWidget(title_, 0, 0, 1, 2);
   grid->addWidget(watch_, 4, 0, 1, 2);
   grid->addWidget(buildFeel(), 5, 0, 1, 2);
+  buildCutting(*grid, 6);
   grid->addWidget(go_, 1, 0);
   grid->addWidget(alone_, 1, 1);
   grid->addWidget(rename_, 2, 0);
@@ -355,6 +367,40 @@ void StructuresPanel::showFeel(const StructureFeel& feel) {
     number.label->setVisible(number.kind == feel.kind);
     number.box->setVisible(number.kind == feel.kind);
   }
+}
+
+void StructuresPanel::buildCutting(QGridLayout& grid, int row) {
+  using Kind = StructureCutting::Kind;
+  cutting_->setObjectName("structureCutting");
+  cutting_->setAccessibleName(tr("How the structure is cut"));
+  cutting_->setToolTip(tr("What a burr removes of it; Undo takes the choice back, as an edit"));
+  cutting_->addItem(tr("As its values say"), static_cast<int>(Kind::ByValue));
+  cutting_->addItem(tr("Never"), static_cast<int>(Kind::Never));
+  cutting_->addItem(tr("With this energy"), static_cast<int>(Kind::Energy));
+  cut_energy_->setKeyboardTracking(false);
+  cut_energy_->setToolTip(tr("What it takes to remove a cubic millimetre of the structure"));
+  QSizePolicy kept = cut_energy_->sizePolicy();
+  kept.setRetainSizeWhenHidden(true);
+  cut_energy_->setSizePolicy(kept);
+  grid.addWidget(new QLabel(tr("Cut")), row, 0);
+  grid.addWidget(cutting_, row, 1);
+  grid.addWidget(cut_energy_, row + 1, 1);
+  const auto choose = [this] {
+    const StructureCutting cutting{static_cast<Kind>(cutting_->currentData().toInt()),
+                                   cut_energy_->value()};
+    showCutting(cutting);
+    if (chosen() >= 0) emit cuttingChosen(chosen(), cutting);
+  };
+  connect(cutting_, &QComboBox::currentIndexChanged, this, choose);
+  connect(cut_energy_, &NumberBox::valueChanged, this, choose);
+  showCutting({});
+}
+
+void StructuresPanel::showCutting(const StructureCutting& cutting) {
+  const QSignalBlocker quiet(cutting_), quiet_energy(cut_energy_);
+  cutting_->setCurrentIndex(cutting_->findData(static_cast<int>(cutting.kind)));
+  cut_energy_->setValue(cutting.energy_J_mm3);
+  cut_energy_->setVisible(cutting.kind == StructureCutting::Kind::Energy);
 }
 
 QWidget* StructuresPanel::buildAll() {
@@ -467,7 +513,8 @@ void StructuresPanel::show(const Structures& structures) {
   };
   hideUnless(StructureDistance, &StructureLook::watched);
   hideUnless(StructureFelt, [](const StructureLook& look) {
-    return look.feel.kind != StructureFeel::Kind::AsScan;
+    return look.feel.kind != StructureFeel::Kind::AsScan ||
+           look.cutting.kind == StructureCutting::Kind::Never;
   });
   hideUnless(StructureOpacity, [](const StructureLook& look) { return look.opacity < 1.0; });
   if (others) search_->clear();
@@ -512,10 +559,10 @@ int StructuresPanel::chosen() const {
 
 void StructuresPanel::showChosen() {
   const int number = chosen();
-  for (QWidget* control :
-       {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_), static_cast<QWidget*>(rename_),
-        static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_),
-        static_cast<QWidget*>(watch_), static_cast<QWidget*>(feel_)})
+  for (QWidget* control : {static_cast<QWidget*>(go_), static_cast<QWidget*>(alone_),
+                           static_cast<QWidget*>(rename_), static_cast<QWidget*>(colour_),
+                           static_cast<QWidget*>(opacity_), static_cast<QWidget*>(watch_),
+                           static_cast<QWidget*>(feel_), static_cast<QWidget*>(cutting_)})
     control->setEnabled(number >= 0);
   title_->setText(number < 0
                       ? QString{}
@@ -524,6 +571,8 @@ void StructuresPanel::showChosen() {
   alone_->setChecked(number >= 0 && shown_.looks[static_cast<std::size_t>(number)].visible &&
                      std::ranges::count_if(shown_.looks, &StructureLook::visible) == 1);
   const QSignalBlocker quiet(opacity_), quiet_watch(watch_);
+  showCutting(number < 0 ? StructureCutting{}
+                         : shown_.looks[static_cast<std::size_t>(number)].cutting);
   showFeel(number < 0 ? StructureFeel{} : shown_.looks[static_cast<std::size_t>(number)].feel);
   const std::int64_t bytes =
       number < 0 ? 0 : shown_.looks[static_cast<std::size_t>(number)].distance_bytes;

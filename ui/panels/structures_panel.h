@@ -13,6 +13,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -56,6 +57,8 @@ class StructuresPanel : public QWidget {
   void watchChosen(int number, bool watched);
   /// How it is to be felt.
   void feelChosen(int number, const StructureFeel& feel);
+  /// What it is to take to cut it.
+  void cuttingChosen(int number, const StructureCutting& cutting);
   /// From which distances on a structure is near, and close.
   void limitsChosen(const NearLimits& limits);
   /// Whether a sound is to say it, too.
@@ -75,12 +78,14 @@ class StructuresPanel : public QWidget {
   void buildList();
   QWidget* buildChosen();
   QWidget* buildFeel();
+  void buildCutting(QGridLayout& grid, int row);
   QWidget* buildAll();
   void search();
   int chosen() const;  ///< number; -1: none
   void showChosen();
   void showFeel(const StructureFeel& feel);
   StructureFeel feelNow() const;
+  void showCutting(const StructureCutting& cutting);
   void askColour(int number);
 
   Structures shown_;
@@ -94,7 +99,8 @@ class StructuresPanel : public QWidget {
   QPushButton* colour_;
   NumberBox* opacity_;
   QCheckBox* watch_;
-  QComboBox* feel_;
+  QComboBox *feel_, *cutting_;
+  NumberBox* cut_energy_;
   /// A number of a way to feel, which has it or not.
   struct FeelNumber {
     StructureFeel::Kind kind;

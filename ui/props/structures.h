@@ -38,7 +38,17 @@ inline constexpr double kLeastFeelStiffness = 10.0, kMostFeelStiffness = 5000.0;
 inline constexpr double kLeastMargin_mm = 0.5, kMostMargin_mm = 15.0;
 inline constexpr double kLeastGuard = 0.1, kMostGuard = 10.0;
 
-/// How a structure is seen and felt. Its name is plain text, for the screen alone.
+/// What it takes to cut a structure.
+struct StructureCutting {
+  enum class Kind { ByValue, Never, Energy };
+  Kind kind = Kind::ByValue;
+  double energy_J_mm3 = 0.2;  ///< Energy
+
+  bool operator==(const StructureCutting&) const = default;
+};
+inline constexpr double kLeastCutEnergy = 0.01, kMostCutEnergy = 100.0;  ///< J/mm3
+
+/// How a structure is seen, felt and cut. Its name is plain text, for the screen alone.
 struct StructureLook {
   QString name = {};
   QColor colour = {};
@@ -46,6 +56,7 @@ struct StructureLook {
   double opacity = 1.0;     ///< in 3-D, and of the fill in slices; kLeastStructure to 1
   bool watched = false;     ///< its distance is told while the tool moves
   StructureFeel feel = {};  ///< what is felt otherwise is watched
+  StructureCutting cutting = {};
   std::int64_t distance_bytes =
       0;                  ///< of memory, that its distances take; 0: nothing of it is there
   bool own_name = false;  ///< not one of a file: reports may have it

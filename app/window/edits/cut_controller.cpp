@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <ranges>
 #include <utility>
 #include <variant>
 
 #include "app/recording/cut_words.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
+#include "datasets/edits/edited.h"
 #include "datasets/edits/walls.h"
 #include "haptics/scene/carved_scene.h"
 #include "resources/named_tools.h"
@@ -72,7 +74,12 @@ haptics::CutLaw CutController::lawOf(const resources::NamedTool& burr) const {
   const ui::BurrNumbers numbers = panel_->numbers();
   law.burr = haptics::ballAtTip(shared_.shown->scene->tool.shell, 0.5 * burr.tip);
   law.speed = numbers.speed_rpm * 2.0 * std::numbers::pi / 60.0;
-  law.material.bands[0].energy = numbers.energy_J_mm3 * kMm3PerM3;
+  haptics::Material& material = law.material;
+  material.bands[0].energy = numbers.energy_J_mm3 * kMm3PerM3;
+  for (const ui::BurrBand& band : numbers.bands)
+    material.bands[material.count++] = {band.from, band.energy_J_mm3 * kMm3PerM3};
+  std::ranges::sort(material.bands | std::views::take(material.count) | std::views::drop(1), {},
+                    &haptics::Material::Band::from);
   return law;
 }
 
@@ -84,6 +91,7 @@ void CutController::showScene(const std::vector<datasets::Edit>& edits) {
       told_.last_mm3 = stroke->removed() * kMm3PerM3;
       told_.all_mm3 += told_.last_mm3;
     }
+  showTissues();
   panel_->showTool(shared_.shown ? QString::fromStdString(shared_.shown->tool.name) : QString{});
   showRemoved();
   if (!shared_.shown || shared_.shown->scene->id == scene_) return;
@@ -95,6 +103,19 @@ void CutController::showScene(const std::vector<datasets::Edit>& edits) {
   }
   endStroke();
   prepare();
+}
+
+void CutController::showTissues() {
+  if (!shared_.shown) return;
+  const haptics::Volume& volume = *shared_.shown->volume();
+  panel_->setValues(volume.least, volume.greatest, QString::fromStdString(volume.unit));
+  const datasets::TissueTable* table = datasets::tissuesIn(volume);
+  const auto parts = table != nullptr ? static_cast<int>(table->parts().size()) : 0;
+  const auto never =
+      parts == 0 ? 0
+                 : static_cast<int>(std::ranges::count(table->parts(), haptics::Tissues::kNever,
+                                                       &datasets::TissueTable::Part::energy));
+  panel_->showTissues(never, parts - never);
 }
 
 void CutController::prepare() {

@@ -77,6 +77,7 @@ class CutController : public QObject {
   void endStroke();
   void changeLaw();
   void showState();
+  void showTissues();
   void showRemoved();
   void callWaiting();
 

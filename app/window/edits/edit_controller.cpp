@@ -267,8 +267,9 @@ void EditController::showSteps() {
   emit stepsChanged(steps.undo && !replaying_, steps.redo && !replaying_);
   reset_->setEnabled(in_force > 0 && !replaying_);
   for (QAction* tool : tools_) tool->setEnabled(shared_.shown.has_value() && !replaying_);
-  window_.setEdited(in_force > 0);
-  if (in_force > 0) found_->hide();
+  const bool taken = std::ranges::any_of(edits(), datasets::takesAway);
+  window_.setEdited(taken);
+  if (taken) found_->hide();
 }
 
 void EditController::changeTool(EditTool tool) {

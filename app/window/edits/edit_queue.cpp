@@ -17,6 +17,13 @@ using datasets::Edit;
 
 constexpr int kUntouchedMs = 100;
 
+/// An edit for a recording. What may be long it has elsewhere: cuts, and the edits of a scene.
+QString noteOf(const Edit& edit) {
+  if (std::holds_alternative<datasets::Stroke>(edit)) return QStringLiteral("stroke");
+  if (std::holds_alternative<datasets::TissueTable>(edit)) return QStringLiteral("tissues");
+  return QString::fromStdString(datasets::textOf(edit));
+}
+
 }  // namespace
 
 EditQueue::EditQueue(ui::Messages& messages, ui::Loading& loading, SharedState& shared)
@@ -269,13 +276,9 @@ void EditQueue::adopt() {
   loaded.seen.reset();  // walls of structures follow
   loaded.start = made.start;
   loaded.note.clear();
-  const bool stroke =
-      job.step == Step::Apply && std::holds_alternative<datasets::Stroke>(job.edits.front());
   const char* const words[] = {"", "undo", "redo", "reset", "restore", "renew"};
-  if (stroke)
-    emit noted("stroke");  // a recording has its cuts
-  else if (job.step == Step::Apply)
-    emit noted(QString::fromStdString(datasets::textOf(job.edits.front())));
+  if (job.step == Step::Apply)
+    emit noted(noteOf(job.edits.front()));
   else
     emit noted(words[static_cast<int>(job.step)]);
   const bool seen = loaded.scene->id == shared_.shown->scene->id;

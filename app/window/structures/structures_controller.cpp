@@ -12,10 +12,12 @@
 #include "app/recording/felt_words.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/scan/sentence.h"
+#include "datasets/edits/edited.h"
 #include "datasets/labels/distances.h"
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/phantom_labels.h"
 #include "datasets/labels/segments.h"
+#include "datasets/labels/tissues.h"
 #include "datasets/readers/volume_header.h"
 #include "datasets/readers/volume_reader.h"
 #include "ui/panels/structures_panel.h"
@@ -25,6 +27,7 @@ namespace app {
 namespace {
 
 // of all structures together, and of one
+constexpr double kMm3PerM3 = 1e9;
 constexpr std::int64_t kAllTriangles = 600'000, kLeastTriangles = 4'000, kMostTriangles = 60'000;
 
 /// What a file is, as far as its header tells beside the scan on view, which is at `place`. Cancel:
@@ -144,6 +147,7 @@ void StructuresController::connectPanel() {
   });
   connect(panel_, &Panel::watchChosen, this, &StructuresController::watch);
   connect(panel_, &Panel::feelChosen, this, &StructuresController::feel);
+  connect(panel_, &Panel::cuttingChosen, this, &StructuresController::chooseCutting);
   connect(panel_, &Panel::limitsChosen, this,
           [this](const ui::NearLimits& limits) { limits_ = limits; });
   panel_->setSoundPossible(NearSound::isPossible());
@@ -352,7 +356,7 @@ void StructuresController::take(Read read) {
          .own_name = names_known});
   }
   log::write(log::Level::Info, "structures-opened", {{"structures", shown_.looks.size()}});
-  show();
+  showCutting();
   panels_.reveal(panel_);
   QStringList notes;
   for (const haptics::Message& note : read.notes) notes << sentenceOf(note);
@@ -386,6 +390,7 @@ void StructuresController::close() {
   maker_.abandon();
   places_mm_.clear();
   measurer_.abandon();
+  tissue_maker_.abandon();
   if (std::exchange(labels_, nullptr)) emit fileChanged({});
   distances_.clear();
   before_alone_.clear();
@@ -429,6 +434,50 @@ void StructuresController::feel(int number, const ui::StructureFeel& feel) {
   });
   makeDistances();
   giveWatch();
+}
+
+void StructuresController::chooseCutting(int number, const ui::StructureCutting& cutting) {
+  change(number, [&](ui::StructureLook& look) { look.cutting = cutting; });
+  std::vector<datasets::TissueWanted> wanted;
+  for (std::size_t n = 0; n < shown_.looks.size(); ++n) {
+    const ui::StructureCutting& now = shown_.looks[n].cutting;
+    if (now.kind == ui::StructureCutting::Kind::ByValue || labels_->structures()[n].voxels == 0)
+      continue;
+    wanted.push_back({static_cast<int>(n), now.kind == ui::StructureCutting::Kind::Never
+                                               ? haptics::Tissues::kNever
+                                               : now.energy_J_mm3 * kMm3PerM3});
+  }
+  if (wanted.empty() && datasets::tissuesIn(*shared_.shown->volume()) == nullptr) return;
+  tissue_maker_.start(
+      [labels = labels_, wanted = std::move(wanted)](const background::Watch&)
+          -> haptics::Expected<datasets::TissueTable> { return tissuesOf(*labels, wanted); },
+      [this](const haptics::Expected<datasets::TissueTable>& table) {
+        if (!table) return messages_.showMessage(sentenceOf(table.error()));
+        emit tissuesWanted(*table);
+        // until the edit is there, and if it cannot be made, what holds is what it says
+        showCutting();
+      });
+}
+
+void StructuresController::showCutting() {
+  if (!shared_.shown || !labels_ || tissue_maker_.isRunning()) return;
+  for (ui::StructureLook& look : shown_.looks)
+    look.cutting.kind = ui::StructureCutting::Kind::ByValue;
+  if (const datasets::TissueTable* table = datasets::tissuesIn(*shared_.shown->volume()))
+    for (const datasets::TissueTable::Part& part : table->parts()) {
+      // of another file's structures it is shown nowhere
+      if (static_cast<std::size_t>(part.structure) >= shown_.looks.size() ||
+          datasets::voxelsOf(part) !=
+              labels_->structures()[static_cast<std::size_t>(part.structure)].voxels)
+        continue;
+      ui::StructureCutting& cutting =
+          shown_.looks[static_cast<std::size_t>(part.structure)].cutting;
+      cutting.kind = ui::StructureCutting::Kind::Never;
+      if (part.energy == haptics::Tissues::kNever) continue;
+      cutting.kind = ui::StructureCutting::Kind::Energy;
+      cutting.energy_J_mm3 = part.energy / kMm3PerM3;
+    }
+  show();
 }
 
 void StructuresController::makeDistances() {
@@ -548,7 +597,7 @@ void StructuresController::showScene() {
   panel_->setReady(shared_.shown.has_value());
   if (!shared_.shown) return;
   const auto scan = scanOf(shared_.shown->volume());
-  if (scan_.lock() == scan) return;
+  if (scan_.lock() == scan) return showCutting();
   scan_ = scan;
   sorter_.abandon();
   reader_.abandon();

@@ -16,6 +16,7 @@
 #include "app/window/program/preferences_controller.h"
 #include "app/window/scan/shared_state.h"
 #include "app/window/structures/near_sound.h"
+#include "datasets/edits/edit.h"
 #include "datasets/labels/label_file.h"
 #include "datasets/labels/label_map.h"
 #include "haptics/scene/watch.h"
@@ -62,7 +63,7 @@ class StructuresController : public QObject {
   /// What was opened by the menu, or dropped on the window: structures of the scan on view are
   /// opened; for all else, scanWanted() comes, at once or after a look at the file.
   void sort(const QStringList& paths);
-  /// Call it when a scene is on view.
+  /// Call it when a scene is on view, or the same after an edit.
   void showScene();
   /// Call it at display rate: nothing is near once no hand holds the tool.
   void refresh();
@@ -92,6 +93,8 @@ class StructuresController : public QObject {
   void nearChanged(const std::vector<ui::StructureNear>& near, const ui::NearLimits& limits);
   /// felt() is other from the next tick on.
   void feltChanged(const QString& felt);
+  /// What it is to take to cut structures: an edit.
+  void tissuesWanted(const datasets::TissueTable& table);
   /// A file was refused, and why, for the user.
   void refused(const QString& sentence);
 
@@ -127,6 +130,9 @@ class StructuresController : public QObject {
   std::optional<ui::NearLine::Way> wayToNearest(const haptics::Snapshot& snapshot) const;
   void watch(int number, bool watched);
   void feel(int number, const ui::StructureFeel& feel);
+  void chooseCutting(int number, const ui::StructureCutting& cutting);
+  /// Shows what the edits of the scan on view say of cutting its structures.
+  void showCutting();
   /// Whether one more may be watched; says so if not.
   bool mayWatch(int number);
   /// Makes the distances of the next structure that is watched and has none yet.
@@ -167,6 +173,7 @@ class StructuresController : public QObject {
   bool near_shown_ = false;
   ui::NearLimits limits_;
   ui::StructureFeel feel_;  ///< with the numbers that were chosen last
+  background::Task<datasets::TissueTable> tissue_maker_;
   background::Task<ui::OpenedAs> sorter_;
 };
 

@@ -220,16 +220,39 @@ TEST(Burr, CutsTheSameInAnyOrderAndTwice) {
   }
 }
 
+/// A ball of structure voxels, as runs of whole rows.
+std::vector<haptics::VoxelRun> ballOf(const Grid& grid, const Vec3& middle, double voxels) {
+  std::vector<haptics::VoxelRun> runs;
+  for (std::int32_t k = 0; k < grid.dims[2]; ++k)
+    for (std::int32_t j = 0; j < grid.dims[1]; ++j) {
+      const double square = voxels * voxels - std::pow(double(j) - middle.y(), 2) -
+                            std::pow(double(k) - middle.z(), 2);
+      if (!(square > 0.0)) continue;
+      const auto first = std::int32_t(std::max(0.0, std::ceil(middle.x() - std::sqrt(square))));
+      const auto last = std::int32_t(
+          std::min(double(grid.dims[0] - 1), std::floor(middle.x() + std::sqrt(square))));
+      if (first <= last) runs.push_back({first, j, k, last - first + 1});
+    }
+  return runs;
+}
+
 TEST(Burr, WritesNoSteeperThanItSaysAndNothingBeyondItsBox) {
   Random random{51};
   for (int n = 0; n < made::trials(40); ++n) {
     const ScalarType type = made::kTypes[n % 7];
-    const Grid grid = made::oddGrid(n, {37, 29, 33}, random);
+    // beside what may not be cut it is steeper than a wall, where that is not steep
+    const bool keeps = n % 2 == 1;
+    Grid grid = made::oddGrid(n, {37, 29, 33}, random);
+    if (keeps) grid.spacing.setConstant(grid.spacing.minCoeff());
     const double top = type == ScalarType::Int8 ? 120.0 : 250.0;
-    const Volume volume = datasets::filled(
+    Volume volume = datasets::filled(
         grid, type, [&](auto i, auto j, auto k) { return i + j + k == 0 ? 0.0 : top; });
     const Vec3 from = grid.worldOf(middleOf(grid) + random.box(10.0));
-    const BurrCut cut{from, from + random.box(2e-3), random.in(1e-3, 4e-3), random.in(20.0, 110.0)};
+    const auto never = ballOf(grid, grid.indexOf(from) + random.box(2.0), 4.0);
+    const haptics::Tissues::Part part{never, haptics::Tissues::kNever};
+    if (keeps) volume.tissues = std::make_shared<const haptics::Tissues>(grid, std::span{&part, 1});
+    const BurrCut cut{from, from + random.box(2e-3), random.in(1e-3, 4e-3),
+                      keeps ? 110.0 : random.in(20.0, 110.0)};
     const BurrCarving asked{volume, cut};
     carve(volume, cut);
     haptics::visitVoxels(type, volume.voxels.get(), [&](const auto* v) {
@@ -252,6 +275,77 @@ TEST(Burr, WritesNoSteeperThanItSaysAndNothingBeyondItsBox) {
           }
     });
   }
+}
+
+TEST(Tissues, AreKeptToTheVoxelAndCountedByTheirEnergy) {
+  Random random{52};
+  std::int64_t kept = 0, known = 0;
+  for (int n = 0; n < made::trials(28); ++n) {
+    const ScalarType type = made::kTypes[n % 7];
+    const Grid grid = made::oddGrid(n, {140, 29, 33}, random);  // rows of three chunks
+    const Volume free = made::randomVolume(grid, type, random);
+    Volume volume = free;
+    const auto never = ballOf(grid, middleOf(grid) + random.box(6.0), random.in(2.0, 12.0)),
+               hard = ballOf(grid, middleOf(grid) + random.box(6.0), random.in(2.0, 12.0)),
+               soft = ballOf(grid, middleOf(grid) + random.box(6.0), random.in(2.0, 12.0));
+    constexpr double kHard = 4e9, kSoft = 2e8;
+    const haptics::Tissues::Part parts[] = {
+        {never, haptics::Tissues::kNever}, {hard, kHard}, {soft, kSoft}};
+    volume.tissues = std::make_shared<const haptics::Tissues>(grid, parts);
+    // which of them a voxel has, read from the runs themselves
+    std::vector<double> energies(std::size_t(grid.voxelCount()), 0.0);
+    for (const auto& part : {parts[1], parts[2], parts[0]})
+      for (const haptics::VoxelRun& run : part.runs)
+        for (std::int32_t i = run.i; i < run.i + run.count; ++i)
+          energies[std::size_t((run.k * grid.dims[1] + run.j) * grid.dims[0] + i)] = part.energy;
+    const std::size_t bytes = energies.size() * haptics::sizeOf(type);
+    std::vector<char> scan(bytes), without(bytes), with(bytes);
+    std::memcpy(scan.data(), free.voxels.get(), bytes);
+    const Vec3 from = grid.worldOf(middleOf(grid) + random.box(6.0));
+    const BurrCut cut{from, from + random.box(2e-3), random.in(1e-3, 8e-3),
+                      free.least + 0.4 * (free.greatest - free.least)};
+    carve(free, cut);
+    std::memcpy(without.data(), free.voxels.get(), bytes);
+    std::memcpy(voxelsOf(free), scan.data(), bytes);
+    const haptics::Material plain{.bands = {{{0.0, 1e9}}}};
+    BurrCarving carving{volume, cut};
+    Removed removed;
+    double energy = 0.0;
+    while (!carving.isDone()) removed.add(carving.lowerRow(voxelsOf(volume), scan.data(), plain));
+    std::memcpy(with.data(), volume.voxels.get(), bytes);
+    // each voxel by itself: only those of one energy may be cut
+    std::int64_t lowered = 0;
+    for (const double only : {0.0, kHard, kSoft}) {
+      std::memcpy(voxelsOf(volume), scan.data(), bytes);
+      std::vector<haptics::VoxelRun> others;
+      for (std::size_t at = 0; at < energies.size(); ++at)
+        if (energies[at] != only)
+          others.push_back(
+              {std::int32_t(at % std::size_t(grid.dims[0])),
+               std::int32_t(at / std::size_t(grid.dims[0]) % std::size_t(grid.dims[1])),
+               std::int32_t(at / std::size_t(grid.dims[0] * grid.dims[1])), 1});
+      const haptics::Tissues::Part part{others, haptics::Tissues::kNever};
+      Volume alone = volume;
+      alone.tissues = std::make_shared<const haptics::Tissues>(grid, std::span{&part, 1});
+      energy += carve(alone, cut).volume * (only == 0.0 ? 1e9 : only);
+    }
+    haptics::visitVoxels(type, scan.data(), [&](const auto* before) {
+      using T = std::remove_cvref_t<decltype(*before)>;
+      const T* uncut = reinterpret_cast<const T*>(without.data());
+      const T* after = reinterpret_cast<const T*>(with.data());
+      for (std::size_t at = 0; at < energies.size(); ++at) {
+        const bool is_kept = energies[at] == haptics::Tissues::kNever;
+        ASSERT_EQ(after[at], is_kept ? before[at] : uncut[at]) << at;
+        kept += is_kept && uncut[at] != before[at];
+        known += energies[at] > 0.0 && after[at] != before[at];
+        lowered += after[at] != before[at];
+      }
+    });
+    EXPECT_EQ(removed.voxels, lowered);
+    EXPECT_NEAR(removed.energy, energy, 1e-6 * energy);
+  }
+  EXPECT_GT(kept, 1000);
+  EXPECT_GT(known, 1000);
 }
 
 }  // namespace

@@ -389,6 +389,52 @@ TEST(EditHistory, WidensACropAgainAndWritesNoVoxelForIt) {
   EXPECT_EQ(history.present()->bounds(), (VoxelBox{{5, 5, 5}, {20, 30, 30}}));
 }
 
+TEST(EditHistory, KeepsWhatMayNotBeCutAndTakesThatBackToo) {
+  const auto scan = blobs(40, 209);
+  EditHistory history{scan};
+  std::vector<VoxelRun> runs;
+  for (std::int32_t k = 10; k < 30; ++k)
+    for (std::int32_t j = 10; j < 30; ++j) runs.push_back({20, j, k, 12});
+  const TissueTable kept{scan->grid.dims, {{.structure = 0, .runs = runs}}};
+  std::vector<BurrCut> cuts;
+  for (int n = 0; n < 60; ++n) {
+    const Vec3 at = scan->grid.worldOf(Vec3(10.0 + 0.4 * n, 20.0, 20.0));
+    cuts.push_back({at, at, 3.0 * h, 100.0});
+  }
+  const auto apart = history.apply(Stroke{cuts}).value();
+  ASSERT_TRUE(history.undo());
+  ASSERT_TRUE(history.apply(kept));
+  EXPECT_EQ(history.present()->voxels, scan->voxels);
+  EXPECT_FALSE(history.apply(TissueTable{{1, 2, 3}, {{.structure = 0}}}));  // of another scan
+  ASSERT_TRUE(history.apply(Stroke{cuts}));
+  std::int64_t spared = 0;
+  const auto expectKept = [&](const Volume& volume) {
+    visitVoxels(scan->type, scan->voxels.get(), [&](const auto* before) {
+      using T = std::remove_cvref_t<decltype(*before)>;
+      const T* after = static_cast<const T*>(volume.voxels.get());
+      const T* uncut = static_cast<const T*>(apart->voxels.get());
+      const auto& dims = scan->grid.dims;
+      for (std::int64_t n = 0; n < scan->grid.voxelCount(); ++n) {
+        const std::int64_t i = n % dims[0], j = n / dims[0] % dims[1], k = n / (dims[0] * dims[1]);
+        const bool never = i >= 20 && i < 32 && j >= 10 && j < 30 && k >= 10 && k < 30;
+        ASSERT_EQ(after[n], never ? before[n] : uncut[n]);
+        spared += never && uncut[n] != before[n];
+      }
+    });
+  };
+  expectKept(*history.present());
+  EXPECT_GT(spared, 100);
+  // read again from their text, as a recording and a view have them
+  std::vector<Edit> again;
+  for (const Edit& edit : history.edits()) again.push_back(editFrom(textOf(edit)).value());
+  expectKept(*edited(scan, again).value());
+  ASSERT_TRUE(history.undo());
+  ASSERT_TRUE(history.undo());
+  EXPECT_EQ(history.present()->tissues, nullptr);
+  ASSERT_TRUE(history.apply(Stroke{cuts}));
+  EXPECT_TRUE(holds(*history.present(), copyOf(*apart)));
+}
+
 TEST(EditHistory, GivesOtherVoxelsAnotherDigest) {
   const auto scan = blobs(40, 208);
   std::set<std::uint64_t> digests;

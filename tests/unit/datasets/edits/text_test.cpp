@@ -39,6 +39,14 @@ Stroke stroke() {
                 1e-9 / 3.0};
 }
 
+/// In a scan of 7 x 5 x 3 voxels.
+TissueTable tissues() {
+  return TissueTable{{7, 5, 3},
+                     {{.structure = 4, .energy = 1e9 / 3.0, .runs = {{0, 0, 0, 7}, {2, 4, 1, 1}}},
+                      {.structure = 0, .runs = {{6, 4, 2, 1}}},
+                      {.structure = 254}}};
+}
+
 std::vector<Edit> oneOfEach() {
   return {Crop{{{0, 1, 2}, {3, 4, 500}}},
           PlaneCut{{0.1, -0.2, 1.0 / 7.0}, Vec3{1, 2, 3}.normalized(), -299.7},
@@ -47,7 +55,8 @@ std::vector<Edit> oneOfEach() {
           KeepPiece{{0.1, 0.2, 0.3}, -300.0},
           RemoveSmallPieces{128.5, 1e-8},
           RemoveHolder{412.0},
-          stroke()};
+          stroke(),
+          tissues()};
 }
 
 TEST(EditText, ComesBackToTheBit) {
@@ -70,6 +79,14 @@ TEST(EditText, ComesBackToTheBit) {
   EXPECT_EQ(after.isovalue, before.isovalue);
   EXPECT_EQ(std::get<Stroke>(editFrom(textOf(stroke())).value()).cuts(), stroke().cuts());
   EXPECT_EQ(std::get<Stroke>(editFrom(textOf(stroke())).value()).removed(), stroke().removed());
+  const auto table = std::get<TissueTable>(editFrom(textOf(tissues())).value());
+  EXPECT_EQ(table.dims(), tissues().dims());
+  ASSERT_EQ(table.parts().size(), 3U);
+  EXPECT_EQ(table.parts()[0].energy, 1e9 / 3.0);
+  EXPECT_EQ(table.parts()[1].energy, Tissues::kNever);
+  EXPECT_EQ(voxelsOf(table.parts()[0]), 8);
+  const VoxelRun& run = table.parts()[0].runs[1];
+  EXPECT_EQ((std::array{run.i, run.j, run.k, run.count}), (std::array{2, 4, 1, 1}));
   datasets::Random random{19};
   for (int n = 0; n < 1000; ++n) {
     const PlaneCut cut{random.box(1.0), random.direction(), random.in(-1000.0, 3000.0)};
@@ -112,7 +129,8 @@ std::string with(std::string text, const std::string& part, const std::string& o
 TEST(EditText, RefusesWhatIsNone) {
   const std::string crop = textOf(oneOfEach()[0]), plane = textOf(oneOfEach()[1]),
                     lasso = textOf(oneOfEach()[2]), small = textOf(oneOfEach()[5]),
-                    holder = textOf(oneOfEach()[6]), cuts = textOf(stroke());
+                    holder = textOf(oneOfEach()[6]), cuts = textOf(stroke()),
+                    table = textOf(tissues());
   std::vector<std::string> wrong{
       "",
       "null",
@@ -150,6 +168,15 @@ TEST(EditText, RefusesWhatIsNone) {
       with(cuts, "\"places_m\":[", "\"places_m\":[0.1,"),
       with(cuts, ",\"radius_m\":0.002", ""),
       with(cuts, "\"removed_m3\":", "\"removed_m3\":-"),
+      with(table, "[0,7,58,1]", "[0,8,57,1]"),  // beyond a row
+      with(table, "[0,7,58,1]", "[0,7,58]"),
+      with(table, "[0,7,58,1]", "[0,7,-58,1]"),
+      with(table, "[0,7,58,1]", "[0,7,58,0]"),
+      with(table, "[104,1]", "[105,1]"),  // beyond the scan
+      with(table, "\"structure\":254", "\"structure\":256"),
+      with(table, "[7,5,3]", "[7,5,0]"),
+      with(table, "[7,5,3]", "[7,5,99999999999]"),
+      with(table, "\"energy_J_m3\":", "\"energy_J_m3\":-"),
       "{\"edit\":\"stroke\",\"removed_m3\":0.0,\"ways\":[]}",
       "{\"edit\":\"stroke\",\"removed_m3\":0.0,\"ways\":[{\"isovalue\":1.0,\"places_m\":[0.1,0.1,0."
       "1],\"radius_m\":0."
