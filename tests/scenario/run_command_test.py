@@ -198,6 +198,44 @@ with tempfile.TemporaryDirectory() as folder:
         assert done.returncode == 0 and found["differing_cuts"] == 0 and found["carved_as_recorded"] is None, found
         part.with_suffix("").unlink()
         assert found["carved"] == replayed(recorded(steps * 1e-3, 1000)[0])[1]["carved"], (steps, found)
+    # what may not be cut stays to the voxel; a structure of its own energy and a band of values take theirs; a
+    # recording says so, and its replay needs no labels
+    head, body = before[:before.index(b"\n\n") + 2], before.index(b"\n\n") + 2
+    sizes = [int(n) for n in re.search(rb"sizes: (.*)", head).group(1).split()]
+    values = [memoryview(scan)[body:].cast("h") for scan in (before, after)]
+    lost = [n for n in range(len(values[0])) if values[1][n] < values[0][n]]
+    middle = sorted(n % sizes[0] for n in lost)[len(lost) // 2]
+    mask = bytes(1 if n % sizes[0] < middle else 2 for n in range(len(values[0])))
+    label_map = pathlib.Path(folder, "halves.nrrd")
+    head = re.sub(rb"\ntype: .*", b"\ntype: uchar", head)
+    label_map.write_bytes(re.sub(rb"\nendian: .*", b"", head) + mask)
+    labels = ("--labels", str(label_map), "--watch", "1")
+
+    def left_of(*options):
+        recording = pathlib.Path(folder, "halves.palpate")
+        recording.unlink(missing_ok=True)
+        done, report = cutting("--cut", "--save-volume", str(left), "--record", str(recording), *options)
+        assert done.returncode == 0, done
+        assert report["max_penetration_mm"] == 0 and report["nonfinite"] == 0, report
+        done, again = replayed(recording)
+        assert done.returncode == 0 and again["differing"] == again["differing_cuts"] == 0, again
+        assert again["carved_as_recorded"] is True, again
+        found = memoryview(left.read_bytes())[body:].cast("h")
+        return report["cutting"], [n for n in range(len(found)) if found[n] < values[0][n]]
+    cut, gone = left_of("--burr-energy", "5", *labels, "--tissue", "1=never")
+    assert gone and all(mask[n] == 2 for n in gone), (len(gone), cut)
+    assert any(mask[n] == 1 for n in lost), len(lost)
+    cut, gone = left_of("--burr-energy", "5", *labels, "--tissue", "1=8", "--tissue", "2=8")
+    assert abs(cut["removed_J"] / cut["removed_mm3"] - 8) < 1e-6, cut
+    cut, gone = left_of("--burr-energy", "5", "--burr-band", "-3000=7", "--burr-band", "3e9=2")
+    assert abs(cut["removed_J"] / cut["removed_mm3"] - 7) < 1e-6, cut
+    for options, code, words in (((*labels, "--tissue", "1=often"), 2, "does not say what cutting a structure takes"),
+                                 ((*labels, "--tissue", "1=-2"), 2, "does not say"),
+                                 ((*labels, "--tissue", "7=never"), 2, "7"),
+                                 (("--burr-band", "700=x"), 2, "from a value on"),
+                                 (("--tissue", "1=never"), 2, "--labels")):
+        done = cutting("--cut", *options)[0]
+        assert done.returncode == code and words in done.stderr, (options, done)
     for options, tool, words in ((("--cut",), "probe", "no burr that cuts; choose one of burr-1"),
                                  (("--save-volume", str(left)), "burr-4", "add --cut"),
                                  (("--burr-speed", "1000"), "burr-4", "--cut")):

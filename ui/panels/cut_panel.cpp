@@ -56,6 +56,7 @@ CutPanel::CutPanel(QWidget* parent)
       tint_(new QCheckBox(tr("Colour what was cut"))) {
   state_->setObjectName("cutState");
   removed_->setObjectName("cutRemoved");
+  tissues_->setObjectName("cutTissues");
   speed_->setValue(BurrNumbers{}.speed_rpm);
   energy_->setValue(BurrNumbers{}.energy_J_mm3);
   burr_rows_->setSpacing(4);

@@ -3,8 +3,10 @@
 #include <vtkCamera.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QPushButton>
+#include <QTableWidget>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -15,6 +17,7 @@
 #include "app/window/edits/edit_controller.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
+#include "app/window/structures/structures_controller.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
 #include "tests/ui/edits/editing.h"
@@ -190,6 +193,50 @@ TEST_F(Cutting, IsSeenWhileItIsDoneAndIsThereForEyeAndHandAfterwards) {
   EXPECT_LT(window::count(plain, cutColoured), 5);
   // and the pit stays
   EXPECT_GT(window::differing(plain, uncut), 0.001);
+}
+
+TEST_F(Cutting, LeavesAStructureThatMayNotBeCutToTheVoxel) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  const auto scan = application_->shown()->volume();
+  // the half at the patient's left
+  const auto labels = window::volumeOf(scan->grid, haptics::ScalarType::UInt8,
+                                       [](const haptics::Vec3& p_W) { return p_W.x() > 0.0; });
+  const auto path = std::filesystem::path(scans_.path().toStdString()) / "half.nrrd";
+  ASSERT_TRUE(datasets::writeNrrd(*labels, path).has_value());
+  application_->structures().open(path);
+  ASSERT_TRUE(waitFor([&] { return application_->structures().labels() != nullptr; }));
+  child<QTableWidget>("structures").selectRow(0);
+  QComboBox& cutting = child<QComboBox>("structureCutting");
+  EXPECT_EQ(cutting.currentText(), "As its values say");
+  cutting.setCurrentIndex(1);
+  ASSERT_TRUE(waitFor([&] { return application_->editing().edits().size() == 1; }));
+  settle();
+  EXPECT_EQ(cutting.currentText(), "Never");
+  EXPECT_EQ(child<QLabel>("cutTissues").text(), "Structures that may not be cut: 1.");
+  EXPECT_FALSE(window().windowTitle().contains("edited"));  // nothing was taken away
+  ASSERT_TRUE(isReady()) << state().toStdString();
+  cut(0.0, 5.0);
+  ASSERT_FALSE(HasFatalFailure());
+  EXPECT_TRUE(window().windowTitle().contains("edited"));
+  const auto left = application_->shown()->volume();
+  const auto* const before = static_cast<const std::int16_t*>(scan->voxels.get());
+  const auto* const after = static_cast<const std::int16_t*>(left->voxels.get());
+  const auto* const kept = static_cast<const std::uint8_t*>(labels->voxels.get());
+  std::int64_t gone = 0;
+  for (std::int64_t n = 0; n < scan->grid.voxelCount(); ++n) {
+    gone += after[n] < before[n];
+    ASSERT_TRUE(kept[n] == 0 || after[n] == before[n]) << n;
+  }
+  EXPECT_GT(gone, 3);
+  expectTheSameEverywhere();
+  keepWindow("cut_beside_a_kept_structure");
+  lift();
+  undo();
+  EXPECT_EQ(cutting.currentText(), "Never");
+  undo();
+  EXPECT_EQ(cutting.currentText(), "As its values say");
+  EXPECT_FALSE(child<QLabel>("cutTissues").isVisibleTo(&window()));
 }
 
 TEST_F(Cutting, IsTakenBackStrokeByStrokeOutOfContactAlone) {
