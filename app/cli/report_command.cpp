@@ -163,9 +163,9 @@ Outcome makeReport(const ReportOptions& options) {
     recordings.push_back(std::move(*recording));
   }
   // without a volume the labels lie where the first recording says that its scan was
-  haptics::Volume recorded;
-  if (!recordings.front().scenes().empty()) recorded = recordings.front().scenes().front().volume;
-  std::shared_ptr<const haptics::Volume> given;
+  auto given = std::make_shared<const haptics::Volume>(
+      recordings.front().scenes().empty() ? haptics::Volume{}
+                                          : recordings.front().scenes().front().volume);
   std::optional<VolumeHash> hash;
   if (!options.volume.path.empty() || !options.volume.phantom.empty()) {
     const auto volume = loadVolume(options.volume);
@@ -173,7 +173,7 @@ Outcome makeReport(const ReportOptions& options) {
     given = *volume;
     hash = hashHere(*given);
   }
-  const haptics::Volume& scan = given ? *given : recorded;
+  const haptics::Volume& scan = *given;
   for (std::size_t n = 0; n < recordings.size(); ++n)
     if (std::ranges::none_of(recordings[n].scenes(),
                              [&](const RecordedScene& scene) { return isOf(scene, scan, hash); }))
@@ -190,8 +190,8 @@ Outcome makeReport(const ReportOptions& options) {
   std::vector<std::vector<double>> margins;
   for (const report::Structure& structure : all.structures) margins.push_back(structure.margins);
   for (Recording& recording : recordings) {
-    auto session =
-        report::sessionOf(recording, **watch, scan, margins, [](double) { return !interrupted(); });
+    auto session = report::sessionOf(recording, **watch, given, margins,
+                                     [](double) { return !interrupted(); });
     if (!session) return refused(session.error());
     if (session->differing > 0)
       tell(

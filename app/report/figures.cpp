@@ -25,6 +25,7 @@ bool Tally::Run::begins(std::int64_t time_ns, bool now_guarded) {
   const bool begins = !last_ns || time_ns - *last_ns >= kPause_ns || guarded != now_guarded;
   last_ns = time_ns;
   guarded = now_guarded;
+  cut = cut && !begins;
   return begins;
 }
 
@@ -101,13 +102,15 @@ void Tally::look(const Tick& tick) {
       ++of.encounter_count;
       of.injury_count += now.guarded;
       if (of.encounters.size() < FiguresOf::kMostEncounters)
-        of.encounters.push_back({at, at, double(now.nearest), now.push, now.guarded});
+        of.encounters.push_back({at, at, double(now.nearest), now.push, now.guarded, tick.cuts});
     } else if (kept) {
       Encounter& last = of.encounters.back();
       last.to = at;
       last.nearest = std::min(last.nearest, double(now.nearest));
       last.push = std::max(last.push, now.push);
+      last.cut = last.cut || tick.cuts;
     }
+    if (tick.cuts && !std::exchange(encounter_[n].cut, true)) of.burr_injury_count += now.guarded;
   }
 }
 
@@ -134,6 +137,10 @@ void Tally::endPiece(const Tick& tick) {
   const double length = (tick.tip_W - piece_->tip_W).norm();
   const double lasted = seconds(tick.time_ns - piece_->time_ns);
   figures_.path += length;
+  if (piece_->cuts) {
+    cut_path_ += length;
+    cut_path_time_ += lasted;
+  }
   if (!piece_touches_ && length < kStill * lasted) figures_.idle += lasted;
   least_ = least_.cwiseMin(tick.tip_W);
   most_ = most_.cwiseMax(tick.tip_W);
@@ -150,6 +157,7 @@ Figures Tally::figures() const {
   if (known > 0.0) figures.contact_share = figures.contact_time / known;
   if (figures.contact_time > 0.0) figures.mean_force = force_seconds_ / figures.contact_time;
   if (figures.cut_time > 0.0) figures.mean_cut_force = cut_force_seconds_ / figures.cut_time;
+  if (whole.cut_path_time_ > 0.0) figures.mean_cut_speed = whole.cut_path_ / whole.cut_path_time_;
   for (std::size_t n = 0; n < structures_.size(); ++n)
     if (FiguresOf& of = figures.structures[n]; of.touch_time > 0.0)
       of.mean_push = push_seconds_[n] / of.touch_time;

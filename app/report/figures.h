@@ -55,6 +55,7 @@ struct Encounter {
   double nearest = 0.0;         ///< m
   double push = 0.0;            ///< N, the largest
   bool guarded = false;         ///< so it is an injury
+  bool cut = false;             ///< the burr turned
 };
 
 /// Figures of a structure, in SI.
@@ -66,8 +67,10 @@ struct FiguresOf {
   double touch_time = 0.0, mean_push = kNone;
   Moment largest_push;
   std::int64_t encounter_count = 0, injury_count = 0;
+  std::int64_t burr_injury_count = 0;
   double encounter_time = 0.0;
-  std::vector<Encounter> encounters;  ///< the first of them
+  double removed = kNone, exposed = kNone;  ///< m3, m2; not of ticks: CutStructures
+  std::vector<Encounter> encounters;        ///< the first of them
 };
 
 /// Figures of a session, in SI.
@@ -81,7 +84,7 @@ struct Figures {
   Moment largest_force;
   std::int64_t strokes = 0;
   double cut_time = 0.0, removed = 0.0;
-  double mean_cut_force = kNone;
+  double mean_cut_force = kNone, mean_cut_speed = kNone;
   std::vector<FiguresOf> structures;
 };
 
@@ -103,6 +106,7 @@ class Tally {
   struct Run {
     std::optional<std::int64_t> last_ns = {};
     bool guarded = false;
+    bool cut = false;  ///< the burr turned in it
     bool begins(std::int64_t time_ns, bool now_guarded = false);
   };
   void weigh(const Tick& tick, double seconds);
@@ -113,11 +117,12 @@ class Tally {
   std::vector<Structure> structures_;
   Figures figures_;
   std::optional<Tick> first_, last_;
-  std::optional<Tick> piece_;       ///< the tick that begins a piece of the path
-  bool piece_touches_ = false;      ///< in any of its ticks
-  haptics::Vec3 least_, most_;      ///< of the box around the ends of the pieces
-  double force_seconds_ = 0.0;      ///< N s, in contact
-  double cut_force_seconds_ = 0.0;  ///< N s, while the burr turned
+  std::optional<Tick> piece_;                    ///< the tick that begins a piece of the path
+  bool piece_touches_ = false;                   ///< in any of its ticks
+  double cut_path_ = 0.0, cut_path_time_ = 0.0;  ///< m, s: of pieces that began while it turned
+  haptics::Vec3 least_, most_;                   ///< of the box around the ends of the pieces
+  double force_seconds_ = 0.0;                   ///< N s, in contact
+  double cut_force_seconds_ = 0.0;               ///< N s, while the burr turned
   Run contact_, stroke_;
   std::vector<double> push_seconds_;  ///< N s, of each structure
   std::vector<Run> encounter_;

@@ -95,6 +95,10 @@ std::vector<FigureOfSession> figuresOfSessions() {
       {{"cut_force_mean_N", "Mean force while cutting", "N",
         "Mean size of the force on the hand over that time.", "5, 6"},
        [](const Figures& f) { return asIs(f.mean_cut_force); }},
+      {{"cut_speed_mean_mm_s", "Mean speed while cutting", "mm/s",
+        "Way of the tip over the time, of the pieces of 20 ms that begin while the burr turns.",
+        "6"},
+       [](const Figures& f) { return asIs(1e3 * f.mean_cut_speed); }},
       {{"removed_mm3", "Volume removed", "mm3",
         "Of the solid within the isosurface, by all cuts; a voxel counts in part by its value. "
         "What was taken back counts as well.",
@@ -129,6 +133,20 @@ std::vector<FigureOfStructure> figuresOfStructures() {
           {{"injuries", "Injuries", "", "Those of these contacts while the structure was guarded.",
             "2, 6"},
            [](const FiguresOf& f) { return asIs(double(f.injury_count)); }},
+          {{"burr_injuries", "Injuries by the burr", "",
+            "Those of the injuries in which the burr turned.", "6"},
+           [](const FiguresOf& f) { return asIs(double(f.burr_injury_count)); }},
+          {{"removed_mm3", "Volume removed of it", "mm3",
+            "By all cuts, of its voxels; each counts in part by its value. Not known without the "
+            "scan.",
+            "6"},
+           [](const FiguresOf& f) { return asIs(1e9 * f.removed); }},
+          {{"exposed_mm2", "Area exposed", "mm2",
+            "Of its surface: where the voxel beside it was solid before the first cut and is not "
+            "after the last. A face of a voxel counts by its part across the normal. Not known "
+            "without the scan.",
+            "6"},
+           [](const FiguresOf& f) { return asIs(1e6 * f.exposed); }},
           {{"encounters_s", "Time of contacts with it", "s",
             "Ticks in which the tool touched the structure or a point of it was inside.", "2, 6"},
            [](const FiguresOf& f) { return asIs(f.encounter_time); }}};
@@ -216,7 +234,8 @@ ordered_json jsonOf(const Report& report) {
                                  {"to_s", encounter.to},
                                  {"nearest_mm", 1e3 * encounter.nearest},
                                  {"largest_N", encounter.push},
-                                 {"guarded", encounter.guarded}});
+                                 {"guarded", encounter.guarded},
+                                 {"burr", encounter.cut}});
       one["structures"].push_back(std::move(of));
     }
     json["sessions"].push_back(std::move(one));

@@ -133,7 +133,8 @@ Plot distancePlot(const Report& report, std::size_t n) {
 void tellInjuries(const Report& report, Page& page) {
   page.heading("Injuries");
   bool any_guarded = false;
-  Table table{{}, {"session", "structure", "from [s]", "to [s]", "nearest [mm]", "force [N]"}, {}};
+  Table table{
+      {}, {"session", "structure", "from [s]", "to [s]", "nearest [mm]", "force [N]", "burr"}, {}};
   std::int64_t count = 0;
   for (std::size_t s = 0; s < report.sessions.size(); ++s)
     for (std::size_t n = 0; n < report.structures.size(); ++n) {
@@ -145,7 +146,8 @@ void tellInjuries(const Report& report, Page& page) {
         if (one.guarded && table.rows.size() < kMostRows)
           table.rows.push_back({std::to_string(s + 1), std::to_string(report.structures[n].number),
                                 page::text("%.3f", one.from), page::text("%.3f", one.to),
-                                page::shortly(1e3 * one.nearest), page::shortly(one.push)});
+                                page::shortly(1e3 * one.nearest), page::shortly(one.push),
+                                one.cut ? "turned" : ""});
     }
   if (!any_guarded)
     page.paragraph("No structure was guarded, so no contact counts as an injury.");

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/recording/felt_words.h"
+#include "app/report/cut_structures.h"
 
 namespace app::report {
 namespace {
@@ -15,11 +16,6 @@ using haptics::Vec3;
 
 /// m: more than what a recording rounds poses and distances by, and less than any other map gives.
 constexpr float kSame = 1e-6F;
-
-/// Whether the voxel at a place belongs to a structure: the samples of its map are negative there.
-bool belongs(const haptics::DistanceMap& map, const Vec3& p_W) {
-  return map.atIndex(map.grid.indexOf(p_W).array().round().matrix()) < 0.0;
-}
 
 }  // namespace
 
@@ -104,14 +100,14 @@ void Curve::add(double time, double value) {
 }
 
 haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch& watch,
-                                     const haptics::Volume& scan,
+                                     const std::shared_ptr<const haptics::Volume>& scan,
                                      const std::vector<std::vector<double>>& margins,
                                      const std::function<bool(double)>& goes_on) {
   const std::size_t count = watch.structures.size();
   const Curve empty{recording.begin(), recording.end()};
   Session session{.guarded = {}, .force = empty, .nearest = std::vector<Curve>(count, empty)};
   for (const RecordedScene& scene : recording.scenes())
-    if (liesLike(scene.volume, scan) &&
+    if (liesLike(scene.volume, *scan) &&
         std::ranges::find(session.tools, scene.tool.name) == session.tools.end())
       session.tools.push_back(scene.tool.name);
   for (const haptics::ProxyStart& start : recording.starts()) session.rate = start.rate.hz;
@@ -120,7 +116,9 @@ haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch&
   for (std::size_t n = 0; n < count; ++n)
     structures.push_back({margins[n], watch.structures[n].distances.told()});
   Tally tally{std::move(structures)};
-  Ticks ticks{recording, watch, scan};
+  Ticks ticks{recording, watch, *scan};
+  CutStructures cut{recording, watch, scan};
+  haptics::Expected<void> carved;
   if (auto read = ticks.readGuards(recording); !read) return tl::unexpected(read.error());
   session.guarded = ticks.everGuarded();
   const double span = std::max(recording.end() - recording.begin(), 1e-9);
@@ -135,6 +133,8 @@ haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch&
       if (cancelled) return false;
     }
     tally.add(tick);
+    carved = cut.add(recorded.step);
+    if (!carved) return false;
     if (!tick.known) return true;
     session.force.add(time, tick.force);
     for (std::size_t n = 0; n < count; ++n)
@@ -145,7 +145,13 @@ haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch&
   if (cancelled)
     return tl::unexpected(
         haptics::Error{haptics::Error::Kind::Cancelled, {"work-cancelled", {}}, "cancelled"});
+  if (!carved) return tl::unexpected(carved.error());
   session.figures = tally.figures();
+  const std::vector<CutStructures::Taken> taken = cut.taken();
+  for (std::size_t n = 0; n < count; ++n) {
+    session.figures.structures[n].removed = taken[n].removed;
+    session.figures.structures[n].exposed = taken[n].exposed;
+  }
   session.compared = ticks.compared;
   session.differing = ticks.differing;
   return session;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -77,12 +78,13 @@ struct Session {
   std::vector<Curve> nearest;  ///< m, to each structure
 };
 
-/// Reads a session. `margins`: of each structure of the watch [m]. `goes_on`: gets the fraction
+/// Reads a session. `scan`: may have no voxels; then nothing is known of what was cut of
+/// structures. `margins`: of each structure of the watch [m]. `goes_on`: gets the fraction
 /// that is done; if it returns false, the reason is "cancelled". Refuses what Recording refuses,
 /// and
 /// ("no-structures") a recording in which structures were felt that the watch lacks.
 haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch& watch,
-                                     const haptics::Volume& scan,
+                                     const std::shared_ptr<const haptics::Volume>& scan,
                                      const std::vector<std::vector<double>>& margins,
                                      const std::function<bool(double)>& goes_on);
 

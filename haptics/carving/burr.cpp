@@ -38,6 +38,11 @@ bool isPossible(const BurrCut& cut) {
          std::isfinite(cut.isovalue);
 }
 
+PartOfVoxel::PartOfVoxel(const Volume& volume, const BurrCut& cut) HAPTICS_RT
+    : isovalue{cut.isovalue},
+      per_value{1.0 / WallProfile{volume.least, volume.greatest, cut.isovalue}.slope()},
+      at_wall{0.5 + kCounted * std::cbrt(volume.grid.spacing.prod()) / cut.radius} {}
+
 BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     : dims_{volume.grid.dims},
       type_{volume.type},
@@ -82,13 +87,14 @@ BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     steepest_ = std::max(steepest_, volume.greatest - volume.least);
   // 32 bits of a whole number are more than a float has
   if (type_ == ScalarType::UInt32 || type_ == ScalarType::Int32)
-    in_double_ = ball<double>(profile);
+    in_double_ = ball<double>(profile, {volume, cut});
   else
-    in_float_ = ball<float>(profile);
+    in_float_ = ball<float>(profile, {volume, cut});
 }
 
 template <class Real>
-lanes::BallAtRow<Real> BurrCarving::ball(const WallProfile& profile) const HAPTICS_RT {
+lanes::BallAtRow<Real> BurrCarving::ball(const WallProfile& profile,
+                                         const PartOfVoxel& part) const HAPTICS_RT {
   const auto real = [](double value) { return static_cast<Real>(value); };
   const double square = way_.squaredNorm();
   return {.x = 0,
@@ -107,8 +113,8 @@ lanes::BallAtRow<Real> BurrCarving::ball(const WallProfile& profile) const HAPTI
           .background = real(background_),
           .back = real(-profile.back()),
           .whole = type_ != ScalarType::Float32,
-          .per_value = real(1.0 / profile.slope()),
-          .part_at_wall = real(0.5 + kCounted * std::cbrt(spacing_.prod()) / radius_)};
+          .per_value = real(part.per_value),
+          .part_at_wall = real(part.at_wall)};
 }
 
 template <class T>

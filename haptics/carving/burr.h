@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -29,6 +30,18 @@ inline constexpr double kLargestBurr = 0.02;  ///< m: radius
 /// Whether a burr makes such a cut: finite, in reach of a scan, on a way shorter than its radius. A
 /// cut that was read from a file may be another.
 bool isPossible(const BurrCut& cut);
+
+/// How much of a voxel is solid, by its value: on the line of the wall's profile from 0 to 1, so
+/// that a wall counts where it lies.
+struct PartOfVoxel {
+  /// Around a cut with such a burr.
+  PartOfVoxel(const Volume& volume, const BurrCut& cut) HAPTICS_RT;
+  double operator()(double value) const {
+    return std::clamp(at_wall + (value - isovalue) * per_value, 0.0, 1.0);
+  }
+
+  double isovalue, per_value, at_wall;
+};
 
 /// What a cut took away.
 struct Removed {
@@ -77,7 +90,7 @@ class BurrCarving {
   Removed lowerTyped(T* row, const T* scan, double y, double z, std::span<const Tissues::Run> runs,
                      const Material& material) const HAPTICS_RT;
   template <class Real>
-  lanes::BallAtRow<Real> ball(const WallProfile& profile) const HAPTICS_RT;
+  lanes::BallAtRow<Real> ball(const WallProfile& profile, const PartOfVoxel& part) const HAPTICS_RT;
 
   std::array<std::int64_t, 3> dims_{};
   ScalarType type_ = ScalarType::Int16;

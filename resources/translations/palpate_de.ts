@@ -2737,6 +2737,10 @@
         <source>Contact with %1, which was guarded: %2 N</source>
         <translation>Kontakt mit %1, geschützt: %2 N</translation>
     </message>
+    <message>
+        <source>Burr inside %1, which was guarded: %2 mm</source>
+        <translation>Bohrer in %1, was geschützt war: %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>app::ScreenshotController</name>

@@ -70,7 +70,7 @@ def tip_of(points):
     return points[points[:, 2] < points[:, 2].min() + 1e-4].mean(axis=0)
 
 
-def write_hand(points):
+def write_hand(points, name="hand"):
     """Into the canal, to its walls, out, and against the bone beside it."""
     start, end = (np.array(p) * 1e-3 for p in CAPSULES[8][:2])
     along = (end - start) / np.linalg.norm(end - start)
@@ -84,7 +84,7 @@ def write_hand(points):
     q = turn_to(along)
     offset = rotation(q[None])[0] @ tip_of(points)
     times, places = zip(*ways)
-    with open(FOLDER / "hand.csv", "w") as file:
+    with open(FOLDER / f"{name}.csv", "w") as file:
         file.write("t,x,y,z,qw,qx,qy,qz\n")
         for t in np.arange(0.0, 6.005, 0.01):
             place = [np.interp(t, times, [p[a] for p in places]) - offset[a] for a in range(3)]
@@ -425,6 +425,56 @@ with open(out / "report.csv", newline="") as file:
         check(near(value, float(row["value"]) if row["value"] else None, 0.0), f"table: {row}")
         if row["at_s"]:
             check(said[row["figure"] + "_at_s"] == float(row["at_s"]), f"table: {row}")
+
+# what a burr takes of a structure and lays bare of one, from the voxels before and after alone
+def values_of(path):
+    text = path.read_bytes()
+    body = text.index(b"\n\n") + 2
+    sizes = [int(n) for n in re.search(rb"sizes: (.*)", text[:body]).group(1).split()]
+    return np.frombuffer(text[body:], np.int16).reshape(sizes[::-1]).astype(float)
+
+
+write_hand(points_of("burr-4"), "drill")
+axes = np.stack(np.meshgrid(*(origin[axis] + VOXEL * np.arange(masks[8].shape[2 - axis]) for axis in range(3)),
+                            indexing="ij"), axis=-1).transpose(2, 1, 0, 3)
+beyond = capsule(axes.reshape(-1, 3), 8).reshape(masks[8].shape)
+sleeve = ~masks[8] & (beyond < 2.0e-3)
+sleeves = FOLDER / "sleeves.nrrd"
+write_nrrd(sleeves, np.where(masks[8], 1, np.where(sleeve, 2, 0)), origin)
+drilled, left = FOLDER / "drilled.palpate", FOLDER / "left.nrrd"
+call(*touch, "--tool", "burr-4", "--hand", FOLDER / "drill.csv", "--seconds", 4, "--labels", sleeves, "--feel",
+     "1=guarded:0.5:0.1", "--cut", "--record", drilled, "--save-volume", left)
+call("report", drilled, "--phantom", "mastoid", "--labels", sleeves, "--out", FOLDER / "drilled.json")
+said = json.loads((FOLDER / "drilled.json").read_text())["sessions"][0]
+before, after = values_of(bone), values_of(left)
+slope = (300 - before.min()) / 3.0  # of the wall's profile
+at_wall = 0.5 + (0.165 + 1 / 12) * VOXEL / (2e-3 + 0.05 * VOXEL)  # of a ball of this radius
+part = lambda values: np.clip(at_wall + (values - 300) / slope, 0.0, 1.0)
+gone = (part(before) - part(after)) * (VOXEL * 1e3) ** 3
+bare = (before >= 300) & (after < 300)
+exposed = 0.0
+for side, axis in enumerate((2, 1, 0)):
+    cut = lambda of, first: np.take(of, range(first, of.shape[axis] - 1 + first), axis)
+    is_of, behind = cut(masks[8], 0), cut(masks[8], 1)
+    faces = (is_of & ~behind & cut(bare, 1)) | (behind & ~is_of & cut(bare, 0))
+    at = axes[tuple(np.argwhere(faces).T)] + 0.5 * VOXEL * np.eye(3)[side]
+    h = 1e-6 * np.eye(3)
+    normals = np.stack([capsule(at + h[b], 8) - capsule(at - h[b], 8) for b in range(3)], axis=1)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+    exposed += np.abs(normals[:, side]).sum() * (VOXEL * 1e3) ** 2
+canal, wall = said["structures"]
+check(gone[sleeve].sum() > 1.0 and near(wall["removed_mm3"], gone[sleeve].sum(), 1e-3),
+      f"of the wall {wall['removed_mm3']} in place of {gone[sleeve].sum()}")
+check(near(canal["removed_mm3"], gone[masks[8]].sum(), 1e-3), f"of the canal {canal['removed_mm3']}")
+check(wall["removed_mm3"] + canal["removed_mm3"] < said["removed_mm3"], f"in all {said['removed_mm3']}")
+check(exposed > 2.0 and near(canal["exposed_mm2"], exposed, 0.1 * exposed),
+      f"exposed {canal['exposed_mm2']} in place of {exposed}")
+check(canal["burr_injuries"] >= 1 and any(m["burr"] and m["guarded"] for m in canal["moments"]) and
+      wall["burr_injuries"] == 0, f"injuries by the burr {canal['burr_injuries']}")
+check(said["strokes"] >= 1 and said["cut_speed_mean_mm_s"] > 0.0, f"speed {said['cut_speed_mean_mm_s']}")
+call("report", drilled, "--labels", sleeves, "--out", FOLDER / "unseen.json")
+for one in json.loads((FOLDER / "unseen.json").read_text())["sessions"][0]["structures"]:
+    check(one["removed_mm3"] is None and one["exposed_mm2"] is None, f"without the scan {one}")
 
 # the page needs nothing else, and has nobody's names but the user's own
 texts = {path.name: path.read_text() for path in out.iterdir()}

@@ -133,7 +133,7 @@ void ReportController::reportTo(const QString& id, const std::filesystem::path& 
           margins.push_back(std::move(m));
           over.structures.push_back({structure, std::move(*map)});
         }
-        auto session = report::sessionOf(*recording, over, *scan, margins, [&](double done) {
+        auto session = report::sessionOf(*recording, over, scan, margins, [&](double done) {
           watch.advanced(done);
           return !watch.cancelled();
         });
@@ -182,7 +182,9 @@ void ReportController::showMoments(const std::filesystem::path& recording, const
       if (!encounter.guarded) continue;
       moments.append(
           {encounter.from,
-           encounter.nearest <= 0.0
+           encounter.nearest <= 0.0 && encounter.cut
+               ? tr("Burr inside %1, which was guarded: %2 mm").arg(name, mm(-encounter.nearest))
+           : encounter.nearest <= 0.0
                ? tr("Inside %1, which was guarded: %2 mm").arg(name, mm(-encounter.nearest))
                : tr("Contact with %1, which was guarded: %2 N")
                      .arg(name, QLocale().toString(encounter.push, 'f', 1))});
