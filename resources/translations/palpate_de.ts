@@ -2739,7 +2739,7 @@
     </message>
     <message>
         <source>Burr inside %1, which was guarded: %2 mm</source>
-        <translation>Bohrer in %1, was geschützt war: %2 mm</translation>
+        <translation>Bohrer in %1, geschützt: %2 mm</translation>
     </message>
 </context>
 <context>
