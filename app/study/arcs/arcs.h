@@ -116,8 +116,10 @@ inline Target gyroid() {
 struct Tally {
   long arcs = 0;
   long met = 0;
-  long missed = 0;      ///< inside somewhere on the way, and not met
-  long late = 0;        ///< met more than 1e-3 voxel of path beyond the first place inside
+  long missed = 0;  ///< inside somewhere on the way, and not met
+  /// Met more than 1e-3 voxel of path beyond the first place inside, and where F is more than
+  /// 1e-4 voxel of the steepest slope above: an arc that grazes stays at the surface for long.
+  long late = 0;
   long early = 0;       ///< stopped where F is below what sagitta, root and guard amount to
   double latest = 0.0;  ///< voxels of path; the greatest lateness
 
@@ -184,7 +186,8 @@ inline void judge(const Target& target, double s, const std::optional<double>& f
     const double late = (stop.time - *first) * speed / h;
     tally.missed += !stop.met;
     if (stop.met) tally.latest = std::max(tally.latest, late);
-    tally.late += stop.met && late > 1e-3;
+    tally.late += stop.met && late > 1e-3 &&
+                  target.F(stop.path.at(stop.time)) > s + 1e-4 * h * target.steepest;
   }
   if (!stop.met) return;
   ++tally.met;

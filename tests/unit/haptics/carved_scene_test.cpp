@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <memory>
@@ -106,35 +107,41 @@ TEST(CarvedScene, HasNoBoundThatIsTooSmall) {
 TEST(CarvedScene, IsMissedByNoArcBetweenCuts) {
   Random random{72};
   study::arcs::Tally tally;
-  std::int64_t lowered = 0;
+  std::int64_t lowered = 0, cuts = 0;
   std::vector<study::arcs::Target> targets;
   targets.push_back(study::arcs::noise(5));
   targets.push_back(study::arcs::uprightPlates());
   targets.push_back(study::arcs::gyroid());
-  for (const study::arcs::Target& solid : targets) {
-    const bool keeps = &solid == &targets.back();
-    const auto carved = carvedOf(keeps ? keeping(*solid.volume, 9.0) : *solid.volume);
-    study::arcs::Target target{solid.name, *carved->scene()->volume, solid.isovalues, solid.half,
-                               solid.samples};
-    const auto detect = [&carved](const study::arcs::Target&, double s,
-                                  const study::arcs::Arc& arc) {
-      return study::arcs::crossed({carved->scene()->field, s}, arc, haptics::Tolerances{kSide});
-    };
-    for (int round = 0; round < made::trials(100); ++round) {
-      const double s = solid.isovalues[std::size_t(random.below(int(solid.isovalues.size())))];
-      const BurrCut cut = anyCut(*target.volume, s, random);
-      const haptics::BurrCarving asked{*target.volume, cut};
-      target.steepest = std::max(target.steepest, std::sqrt(3.0) * asked.steepest() / kSide);
-      carved->begin(cut);
-      while (!carved->isDone()) {
-        lowered += advance(*carved, 60).voxels;
-        tally += study::arcs::shootPoints(target, 4, random, detect);
-        carved->refresh(std::size_t(random.below(8)));
+  // 100,000 cuts between a million arcs: a release has them
+  const int batches = std::getenv("PALPATE_TEST_ALL") != nullptr ? 334 : 1;
+  for (const study::arcs::Target& solid : targets)
+    for (int batch = 0; batch < batches; ++batch) {
+      const bool keeps = batch % 2 == 0 && &solid == &targets.back();
+      const auto carved = carvedOf(keeps ? keeping(*solid.volume, 9.0) : *solid.volume);
+      study::arcs::Target target{solid.name, *carved->scene()->volume, solid.isovalues, solid.half,
+                                 solid.samples};
+      const auto detect = [&carved](const study::arcs::Target&, double s,
+                                    const study::arcs::Arc& arc) {
+        return study::arcs::crossed({carved->scene()->field, s}, arc, haptics::Tolerances{kSide});
+      };
+      for (int round = 0; round < made::trials(100); ++round) {
+        const double s = solid.isovalues[std::size_t(random.below(int(solid.isovalues.size())))];
+        const BurrCut cut = anyCut(*target.volume, s, random);
+        const haptics::BurrCarving asked{*target.volume, cut};
+        target.steepest = std::max(target.steepest, std::sqrt(3.0) * asked.steepest() / kSide);
+        carved->begin(cut);
+        ++cuts;
+        while (!carved->isDone()) {
+          lowered += advance(*carved, 60).voxels;
+          tally += study::arcs::shootPoints(target, 4, random, detect);
+          carved->refresh(std::size_t(random.below(8)));
+        }
       }
+      expectBounds(*carved);
+      if (HasFatalFailure()) return;
     }
-  }
-  std::cout << tally.arcs << " arcs, " << tally.met << " met, latest " << tally.latest << " voxel; "
-            << lowered << " voxels lowered\n";
+  std::cout << cuts << " cuts, " << tally.arcs << " arcs, " << tally.met << " met, latest "
+            << tally.latest << " voxel; " << lowered << " voxels lowered\n";
   EXPECT_EQ(tally.missed, 0);
   EXPECT_EQ(tally.late, 0);
   EXPECT_GT(tally.met, tally.arcs / 20);
