@@ -15,6 +15,7 @@
 #include "app/film/ffmpeg_file.h"
 #include "app/film/stage.h"
 #include "app/film/theora_file.h"
+#include "app/recording/recorded_cuts.h"
 #include "haptics/process/output_file.h"
 #include "ui/props/picture.h"
 
@@ -146,6 +147,13 @@ class Drawing {
     auto first = finder_.at(timing_.time_ns(0));
     if (!first) return tl::unexpected(first.error());
     enter((*first)->step.scene);
+    if (volume_ && recording_.isCut()) {
+      auto cuts = cutsOf(recording_, [&, step = 0]() mutable {
+        return !options_.goes_on || ++step % 1000 != 0 || options_.goes_on(0.0);
+      });
+      if (!cuts) return tl::unexpected(cuts.error());
+      cuts_.set(std::move(*cuts));
+    }
     if (options_.burn_in)
       if (auto read = readForces(); !read) return read;
     if (options_.recorded_camera && !cameras_.empty()) return {};
@@ -167,6 +175,7 @@ class Drawing {
     if (!found) return tl::unexpected(found.error());
     const haptics::Step& step = (*found)->step;
     enter(step.scene);
+    if (auto cut = showCuts(step); !cut) return tl::unexpected(cut.error());
     if (options_.recorded_camera && !cameras_.empty()) stage_.look(cameras_.at(time_ns));
     if (options_.burn_in) {
       stage_.write(burntIn(step));
@@ -244,7 +253,18 @@ class Drawing {
     scene_ = id;
     const RecordedScene* scene = recording_.scene(id);
     stage_.show(scene == nullptr ? nullptr : &scene->tool);
-    stage_.show(scene == nullptr || !volume_ ? nullptr : volume_(id));
+    on_view_ = scene == nullptr || !volume_ ? nullptr : volume_(id);
+    stage_.show(on_view_);
+    cuts_.forget();
+  }
+
+  Expected<void> showCuts(const haptics::Step& step) {
+    if (on_view_ == nullptr) return {};
+    const auto moved = cuts_.moveTo(on_view_, step.scene, step.sequence);
+    if (!moved) return tl::unexpected(moved.error());
+    if (moved->anew) stage_.showLive(cuts_.volume());
+    if (!haptics::isEmpty(moved->changed)) stage_.carve(moved->changed);
+    return {};
   }
 
   Recording& recording_;
@@ -255,6 +275,8 @@ class Drawing {
   StepFinder finder_;
   CameraPath cameras_;
   std::optional<std::uint32_t> scene_;
+  std::shared_ptr<const haptics::Volume> on_view_;  ///< of the scene; null: the tool alone
+  CutsUntil cuts_;
   std::vector<float> forces_;  ///< N, of each frame; empty without a curve
   double most_force_ = 1.0;    ///< N
 };

@@ -33,6 +33,7 @@ struct FilmLook {
   ui::SurfaceColours colours = ui::SurfaceColours::Ivory;
   std::optional<double> second = {};  ///< isovalue of a second surface, which is seen as a veil
   double second_opacity = ui::kFirstOpacity;
+  bool tint = true;  ///< cut faces have a colour of their own where the surface is a mesh
   std::vector<FilmMark> marks = {};
   bool slices = false;                      ///< three slices in a column beside it
   std::optional<ui::GreyWindow> grey = {};  ///< of the slices; none: as the volume is first shown

@@ -27,6 +27,9 @@ class FilmSlices {
   /// No volume: the column stays empty.
   void show(const ui::Picture& picture);
   void show(haptics::TriangleMesh tool);
+  /// Cuts these voxels of the volume, which change from now on, as carve() says.
+  void showLive(const haptics::Volume& voxels) { slice_.showLive(voxels); }
+  void carve() { slice_.carve(); }
   /// Draws the column into a frame at the tool's pose of a step.
   void draw(const haptics::Step& step, FilmFrame& frame);
 

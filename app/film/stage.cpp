@@ -136,6 +136,8 @@ Expected<std::unique_ptr<FilmStage>> FilmStage::open(int width, int height,
   s.curve = std::make_unique<FilmCurve>(*s.overlay_layer, width, height);
   s.surface_layer->AddVolume(s.surface.rayCast());
   s.surface_layer->AddActor(s.surface.mesh());
+  s.surface_layer->AddActor(s.surface.carved().actor());
+  s.surface.carved().setTint(s.look.tint);
   s.overlay_layer->AddActor(s.tool.device());
   s.overlay_layer->AddActor2D(s.text);
   s.letters = std::make_unique<ui::Letters>(s.overlay_layer);
@@ -186,13 +188,14 @@ void FilmStage::show(const haptics::Tool* tool) {
 
 void FilmStage::show(const std::shared_ptr<const haptics::Volume>& volume) {
   Layers& s = *layers_;
-  if (volume == s.volume) return;
+  if (volume == s.volume && !s.surface.carved().isOn()) return;
   s.volume = volume;
   s.isovalue.reset();
   s.redrawSurface();
   s.letters->setVisible(volume != nullptr && volume->orientation_known);
   if (volume == nullptr) {
     s.picture = {};
+    s.surface.carved().end();
     s.surface.rayCast()->VisibilityOff();
     s.surface.mesh()->VisibilityOff();
     s.surface.secondMesh()->VisibilityOff();
@@ -205,6 +208,21 @@ void FilmStage::show(const std::shared_ptr<const haptics::Volume>& volume) {
   }
   s.placeProxy();
   if (s.slices) s.slices->show(s.picture);
+}
+
+void FilmStage::showLive(const haptics::Volume& voxels) {
+  Layers& s = *layers_;
+  const auto& derivation = s.volume->derivation;
+  s.surface.showLive(voxels, derivation ? derivation->scan : s.volume);
+  if (s.slices) s.slices->showLive(voxels);
+  s.redrawSurface();
+}
+
+void FilmStage::carve(const haptics::VoxelBox& box) {
+  Layers& s = *layers_;
+  s.surface.carved().add(box);
+  if (s.slices) s.slices->carve();
+  s.redrawSurface();
 }
 
 void FilmStage::write(const std::string& text) {
@@ -295,6 +313,7 @@ const FilmFrame& FilmStage::draw(const haptics::Step& step) {
   s.tool.proxy()->SetVisibility(s.has_tool && poses);
   s.tool.device()->SetVisibility(s.has_tool && poses);
   if (poses) s.tool.move(step.X_WP, step.X_WD);
+  s.window->MakeCurrent();  // for the part of a texture that was cut
   s.surface.update();
   Eigen::Matrix3d axes;  // right, up, towards the viewer
   axes.col(2) = (s.camera.position_mm - s.camera.focus_mm).normalized();

@@ -32,6 +32,10 @@ class FilmStage {
   void show(const haptics::Tool* tool);
   /// Shows the volume's surface; null: no surface.
   void show(const std::shared_ptr<const haptics::Volume>& volume);
+  /// Shows these voxels, which are those of the volume on view and change from now on: carve() says
+  /// where. Until the next volume.
+  void showLive(const haptics::Volume& voxels);
+  void carve(const haptics::VoxelBox& box);
   /// Shows a text in the lower left corner; empty: none.
   void write(const std::string& text);
   FilmCurve& curve();

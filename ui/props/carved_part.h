@@ -34,6 +34,7 @@ class CarvedPart {
   /// Whether any have.
   bool isEmpty() const;
   void setTint(bool on);
+  bool isTinted() const { return tinted_; }
 
   /// Brings the textures of a volume that was drawn up to date; the OpenGL context must be current.
   void upload(vtkOpenGLGPUVolumeRayCastMapper& caster);

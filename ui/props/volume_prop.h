@@ -64,6 +64,7 @@ class VolumeProp {
   void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan);
   /// The part that changes.
   CarvedPart& carved() { return carved_; }
+  const CarvedPart& carved() const { return carved_; }
   /// The picture is this one now, whose voxels are those on view.
   void renew(const Picture& picture);
   /// Finds the ray's hit by bisection between samples (on) or takes the sample after it (off).

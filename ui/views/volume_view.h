@@ -52,6 +52,7 @@ class VolumeView : public Viewport, public Spoken {
   void renew(const Picture& picture);
   /// Whether faces that were cut have a colour of their own, where the surface is a mesh.
   void setTint(bool on);
+  bool isTinted() const { return surface_.carved().isTinted(); }
   /// What is on view; its volume is null before the first.
   const Picture& picture() const { return surface_.picture(); }
   void display(const haptics::Snapshot& snapshot);

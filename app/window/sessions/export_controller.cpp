@@ -97,6 +97,7 @@ void ExportController::askAndExport(const Exported& recording) {
       return;
     request.look = lookOf(views_.look(), filmMarks(measures_.all(), measures_.scan()));
     request.look.slices = wish->film.slices;
+    request.look.tint = views_.volume().isTinted();
     double least =
         std::min(recording.least_isovalue, request.look.second.value_or(recording.least_isovalue));
     // a slice shows the skin whatever the isovalue, and may be a profile

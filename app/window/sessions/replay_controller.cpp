@@ -145,7 +145,7 @@ void ReplayController::readCuts() {
       [path = replay_->path()](const background::Watch& watch) {
         return ReplayedCuts::read(path, [&watch] { return !watch.cancelled(); });
       },
-      [this](haptics::Expected<std::vector<ReplayedCuts::Cut>> cuts) {
+      [this](haptics::Expected<std::vector<RecordedCut>> cuts) {
         // what cannot be read of it, the replay says when it comes there
         if (!cuts || !replay_) return;
         cuts_.set(std::move(*cuts));

@@ -88,7 +88,7 @@ class ReplayController : public QObject {
   std::uint64_t edits_ = 0;             ///< digest of the edits on view, or being prepared
   background::Task<EditedScan> editor_;
   ReplayedCuts cuts_{views_};
-  background::Task<std::vector<ReplayedCuts::Cut>> cut_reader_;
+  background::Task<std::vector<RecordedCut>> cut_reader_;
   bool same_volume_ = false;  ///< the volume on view is the recorded one, as far as known
 };
 

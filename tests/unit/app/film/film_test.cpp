@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/film/stage.h"
+#include "app/recording/carved_copy.h"
 #include "recorded_film.h"
 #include "tests/support/sentence.h"
 
@@ -124,6 +125,109 @@ TEST_F(Film, DrawsTheSurfaceAtTheIsovalueOfEachStep) {
       const double seen = pictures.count(i, surfaceColoured) + pictures.count(i, deviceColoured);
       EXPECT_NEAR(seen / disk, 1.0, i <= 7 ? 0.08 : 0.35) << i;
     }
+  }
+}
+
+/// Half a second of cuts, from 0.5 s on: a ball of 4 mm on its way up at the front of the surface.
+/// Tool and device are out of the picture.
+Step stepThatCuts(std::int64_t n) {
+  Step step = stepAt(n);
+  step.settings.isovalue = 50.0;
+  step.X_WP = step.X_WD = at(0.0, 500.0, 0.0);
+  const auto placeAt = [](std::int64_t step_n) {
+    return Vec3(0.0, -0.012, -0.006 + 12e-6 * double(step_n - 500));
+  };
+  if (n >= 500 && n < 1000)
+    step.cut = {.from_W = placeAt(n - 1), .to_W = placeAt(n), .radius = 0.004, .isovalue = 50.0};
+  return step;
+}
+
+int apart(Colour p, Colour q) {
+  return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+}
+
+TEST_F(Film, ShowsWhatWasCutUntilEachFrame) {
+  for (const ui::SurfaceMode mode : {ui::SurfaceMode::Mesh, ui::SurfaceMode::RayCast}) {
+    SCOPED_TRACE(mode == ui::SurfaceMode::Mesh ? "mesh" : "ray caster");
+    Session session;
+    session.step = [](std::int64_t n) {
+      Step step = stepThatCuts(n);
+      step.cut.reset();
+      return step;
+    };
+    FilmOptions chosen = options();
+    chosen.surface = mode;
+    const auto volume = [&](std::uint32_t) { return session.scene->volume; };
+    auto uncut = recorded(scratch, session);
+    const auto whole = app::makeFilm(uncut, volume, scratch / "whole", chosen);
+    session.step = stepThatCuts;
+    auto recording = recorded(scratch, session);
+    ASSERT_TRUE(recording.isCut());
+    const auto film = app::makeFilm(recording, volume, scratch / "cut", chosen);
+    ASSERT_TRUE(whole && film);
+    const Decoded a = decoded(whole->film), b = decoded(film->film);
+    ASSERT_EQ(a.frames.size(), 30U);
+    ASSERT_EQ(b.frames.size(), 30U);
+    int fewest = kWidth * kHeight;
+    for (std::size_t i = 0; i < b.frames.size(); ++i) {
+      // the highest place that the burr has reached, and what the encoder makes of its edge
+      const std::int64_t n = std::min<std::int64_t>(std::int64_t(i) * 50, 999);
+      const double top = n < 500 ? -20.0 : -6.0 + 0.012 * double(n - 500) + 4.0;
+      const int above = int(projected(front(), Vec3(0.0, -0.0154, top * 1e-3))[1]) - 8;
+      int changed = 0, beyond = 0;
+      for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+          const bool other = apart(a.pixel(i, x, y), b.pixel(i, x, y)) > 24;
+          changed += other;
+          beyond += other && (y < above || std::abs(x - kWidth / 2) > 24);
+        }
+      EXPECT_EQ(beyond, 0) << i;
+      if (n < 500) {
+        EXPECT_EQ(changed, 0) << i;
+      }
+      if (n >= 550) fewest = std::min(fewest, changed);
+    }
+    EXPECT_GT(fewest, 100);
+    // in the window's colour where that has it: of a mesh
+    const auto coral = [](Colour c) { return c.r > c.g + 45 && c.r > c.b + 45 && c.r > 100; };
+    EXPECT_LT(b.count(9, coral), 30);
+    if (mode == ui::SurfaceMode::Mesh) {
+      EXPECT_GT(b.count(29, coral), 300);
+    } else {
+      EXPECT_LT(b.count(29, coral), 30);
+    }
+  }
+}
+
+TEST_F(Film, OfCutsShowsNoMoreThanThatInSlicesAndUntilAnotherVolume) {
+  const auto volume = ball();
+  const haptics::BurrCut cut = *stepThatCuts(750).cut;
+  for (const ui::SurfaceMode mode : {ui::SurfaceMode::Mesh, ui::SurfaceMode::RayCast}) {
+    auto stage = app::FilmStage::open(kWidth, kHeight, mode, {.tint = false, .slices = true});
+    ASSERT_TRUE(stage) << sentence(stage.error());
+    const haptics::Tool tool = octahedron();
+    (*stage)->show(&tool);
+    (*stage)->show(volume);
+    (*stage)->look(front());
+    Step step = stepThatCuts(0);
+    step.X_WP = at(0.0, -12.0, 0.0);
+    const auto whole = (*stage)->draw(step).rgb;
+    app::CarvedCopy copy{volume};
+    ASSERT_TRUE(copy.open());
+    (*stage)->showLive(copy.volume());
+    EXPECT_EQ((*stage)->draw(step).rgb, whole);
+    const auto done = copy.carve(cut);
+    ASSERT_TRUE(done && done->removed.voxels > 0);
+    (*stage)->carve(done->box);
+    const auto carved = (*stage)->draw(step).rgb;
+    const int column = kHeight / 6 * 2;
+    int in_surface = 0, in_slices = 0;
+    for (std::size_t n = 0; n < whole.size(); ++n)
+      (int(n / 3) % kWidth < kWidth - column ? in_surface : in_slices) += whole[n] != carved[n];
+    EXPECT_GT(in_surface, 100);
+    EXPECT_GT(in_slices, 100);
+    (*stage)->show(volume);
+    EXPECT_EQ((*stage)->draw(step).rgb, whole);
   }
 }
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/recording/carved_copy.h"
+#include "haptics/carving/burr.h"
+#include "haptics/core/error.h"
+#include "haptics/core/volume.h"
+
+namespace app {
+
+class Recording;
+
+/// A cut of a recording.
+struct RecordedCut {
+  std::uint64_t sequence = 0;  ///< of its step
+  std::uint32_t scene = 0;
+  haptics::BurrCut cut;
+};
+
+/// All cuts of a recording, in order, or those before `goes_on` returned false.
+haptics::Expected<std::vector<RecordedCut>> cutsOf(Recording& recording,
+                                                   const std::function<bool()>& goes_on);
+
+/// The cuts of a recording until a step, carried out in voxels of their own.
+class CutsUntil {
+ public:
+  void set(std::vector<RecordedCut> cuts);
+  /// Drops the voxels: the next moveTo() begins anew.
+  void forget() { live_.reset(); }
+  bool isCarved() const { return live_.has_value(); }
+
+  struct Moved {
+    bool anew = false;          ///< volume() has other voxels than before
+    haptics::VoxelBox changed;  ///< that holds all voxels that were lowered; empty: there are none
+  };
+  /// Carries out what was cut of a scene until a step, over the scene's volume. Back in time, in
+  /// another scene and over another volume everything is cut anew. In a scene without cuts nothing
+  /// is done.
+  haptics::Expected<Moved> moveTo(const std::shared_ptr<const haptics::Volume>& uncut,
+                                  std::uint32_t scene, std::uint64_t sequence);
+  /// With what was cut until then; only while isCarved().
+  const haptics::Volume& volume() const { return live_->copy.volume(); }
+
+ private:
+  struct Live {
+    CarvedCopy copy;
+    std::uint32_t scene = 0;
+    std::size_t next = 0;  ///< cut
+  };
+  haptics::Expected<void> begin(const std::shared_ptr<const haptics::Volume>& uncut,
+                                std::uint32_t scene);
+
+  std::vector<RecordedCut> cuts_;
+  std::optional<Live> live_;  ///< none: there are no voxels yet
+};
+
+}  // namespace app
