@@ -94,21 +94,15 @@ Outcome exportFilm(const FilmChoice& choice) {
   std::shared_ptr<const haptics::Volume> volume;
   std::optional<VolumeHash> hash;
   std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>> touched;  // of each scene
-  const auto wasTouched = [&](const RecordedScene& scene) {
-    return liesLike(scene.volume, *volume) && compared(scene.hash, hash) != SameVolume::Another;
-  };
   bool face = false;
   if (!noVolume) {
     auto loaded = loadVolume(choice.volume);
     if (!loaded) return refused(loaded.error());
     volume = *loaded;
     hash = hashHere(*volume);
-    for (const RecordedScene& scene : recording->scenes()) {
-      if (!wasTouched(scene)) continue;
-      auto edited = editedAsRecorded(volume, scene);
-      if (!edited) return refused(edited.error());
-      touched[scene.id] = std::move(*edited);
-    }
+    auto edited = editedAsRecorded(volume, hash, *recording);
+    if (!edited) return refused(edited.error());
+    touched = std::move(*edited);
     if (touched.empty())
       return refused(
           {haptics::Error::Kind::Unsupported, {"film-other-volume", {}}, "another-volume"});
@@ -152,13 +146,6 @@ Outcome exportFilm(const FilmChoice& choice) {
 }
 
 void addFilmOptions(CLI::App& command, FilmChoice& choice) {
-  auto* path = command.add_option("--volume", choice.volume.path,
-                                  "The scan that was touched; without it only the tool");
-  path->check(notEmpty());
-  command.add_option("--phantom", choice.volume.phantom, "The phantom that was touched")
-      ->excludes(path)
-      ->check(notEmpty());
-  addReading(command, choice.volume);
   command.add_option("--size", choice.size, "Width and height in pixels, as 1280x720")
       ->check(CLI::Validator{[](std::string& text) {
                                FilmOptions read;

@@ -27,7 +27,7 @@ struct FilmChoice {
 /// Draws and writes the film, until it is complete or the user interrupts.
 Outcome exportFilm(const FilmChoice& choice);
 
-/// Adds --volume, --phantom, the options of reading, --size, --fps, --speed, --burn-in, --camera,
+/// Adds --size, --fps, --speed, --burn-in, --camera,
 /// --surface, --slices and --view.
 void addFilmOptions(CLI::App& command, FilmChoice& choice);
 

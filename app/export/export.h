@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/recording/recording.h"
 #include "haptics/core/error.h"
+#include "haptics/core/volume.h"
 
 namespace app::exporting {
 
@@ -23,6 +26,9 @@ struct ExportOptions {
   /// All events in the time range are exported.
   double rate = 0.0;
   bool contacts = true;
+  /// The volume of a scene before its first cut; null, and without the function: it is not at hand.
+  /// HDF5 says which of its voxels cuts removed.
+  std::function<std::shared_ptr<const haptics::Volume>(std::uint32_t scene)> volume = {};
   /// Called with the completed fraction, a few times a second. Returning false ends the export,
   /// reason "cancelled".
   std::function<bool(double)> goes_on = {};
@@ -33,6 +39,10 @@ struct Exported {
   std::int64_t steps = 0, events = 0;
   std::int64_t bytes = 0;
   std::vector<std::string> files = {};  ///< their paths, as given by `out`
+  /// Voxels that cuts removed, of HDF5; none: it says nothing of them.
+  std::optional<std::int64_t> removed_voxels = {};
+  /// Cuts whose voxels it does not say, since the volume was not at hand.
+  std::int64_t cuts_without_voxels = 0;
 };
 
 // Each format reads the recording block by block and writes each block at once, so its memory does

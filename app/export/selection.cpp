@@ -16,17 +16,9 @@ namespace {
 
 constexpr std::int64_t kStepsBetweenQuestions = 512;
 
-/// Times in ns, both ends included.
-struct Window {
-  std::int64_t from, to;
-};
-
 std::int64_t nanoseconds(double time) {
   constexpr double kMost = 9.2e9;  // s: what 64 bits of ns hold
   return std::llround(std::clamp(time, -kMost, kMost) * 1e9);
-}
-Window windowOf(const ExportOptions& options) {
-  return {nanoseconds(options.from), nanoseconds(options.to)};
 }
 
 /// The first multiple of 1/rate at or after a time, both in whole ns.
@@ -43,6 +35,10 @@ tl::unexpected<Error> nothingChosen(const Recording& recording) {
 }
 
 }  // namespace
+
+Window windowOf(const ExportOptions& options) {
+  return {nanoseconds(options.from), nanoseconds(options.to)};
+}
 
 haptics::Expected<void> forEachChosen(Recording& recording, const ExportOptions& options,
                                       const std::function<bool(const RecordedStep&)>& each) {

@@ -9,6 +9,12 @@
 
 namespace app::exporting {
 
+/// Times in ns since the recording began, both ends included.
+struct Window {
+  std::int64_t from, to;
+};
+Window windowOf(const ExportOptions& options);
+
 /// Calls `each` with every step that the options choose, in order, until it returns false. Their
 /// Step::removed is what all cuts from `from` to it removed. Refuses
 /// a recording without such a step, and one whose time goes backwards.

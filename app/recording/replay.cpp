@@ -168,6 +168,19 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
   return volume;
 }
 
+haptics::Expected<std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>>> editedAsRecorded(
+    const std::shared_ptr<const haptics::Volume>& scan, const std::optional<VolumeHash>& hash,
+    const Recording& recording) {
+  std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>> volumes;
+  for (const RecordedScene& scene : recording.scenes()) {
+    if (!isOf(scene, *scan, hash)) continue;
+    auto volume = editedAsRecorded(scan, scene);
+    if (!volume) return tl::unexpected(volume.error());
+    volumes[scene.id] = std::move(*volume);
+  }
+  return volumes;
+}
+
 haptics::Expected<std::shared_ptr<const haptics::Volume>> touchedAsRecorded(
     std::shared_ptr<const haptics::Volume> scan, const RecordedScene& scene,
     const haptics::Watch* watch, const std::shared_ptr<const haptics::Volume>& previous) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -46,6 +47,11 @@ struct ReplayDifference {
 haptics::Expected<std::shared_ptr<const haptics::Volume>> editedAsRecorded(
     std::shared_ptr<const haptics::Volume> scan, const RecordedScene& scene,
     const datasets::EditWatch& watch = {});
+
+/// The same of all scenes of a recording that were of this scan, as far as is known, by number.
+haptics::Expected<std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>>> editedAsRecorded(
+    const std::shared_ptr<const haptics::Volume>& scan, const std::optional<VolumeHash>& hash,
+    const Recording& recording);
 
 /// The volume that a recorded scene touched: the same, with the walls of structures. Refuses
 /// ("no-structures") walls of structures that are not in the watch, which may be null, and

@@ -79,9 +79,9 @@ void ExportController::askAndExport(const Exported& recording) {
   if (!wish) return;
   ExportRequest request{.recording = path, .out = {}, .wish = *wish};
   const exporting::Format* const table = wish->table ? &exporting::kFormats[*wish->table] : nullptr;
+  request.volume = shared_.shown ? scanOf(shared_.shown->volume()) : nullptr;
+  if (request.volume) request.hash = shared_.identity.of(request.volume);
   if (table == nullptr) {
-    request.volume = shared_.shown ? scanOf(shared_.shown->volume()) : nullptr;
-    if (request.volume) request.hash = shared_.identity.of(request.volume);
     if (wish->film.camera == ui::ExportWish::Film::Camera::Fixed)
       request.camera = cameraOf(views_.volume());
     const bool of_view =

@@ -2,7 +2,8 @@
 #include "app/window/sessions/export_task.h"
 
 #include <algorithm>
-
+#include <cstdint>
+#include <map>
 #include <utility>
 
 #include "app/export/export.h"
@@ -16,7 +17,12 @@ namespace {
 
 using GoesOn = std::function<bool(double)>;
 
-/// The names of what was written, for the user; or why not.
+QString told(const std::filesystem::path& written) {
+  return ExportTask::tr("\"%1\" was exported.")
+      .arg(QString::fromStdString(written.filename().string()));
+}
+
+/// What was written, for the user; or why not.
 haptics::Expected<QString> film(Recording& recording, const ExportRequest& request,
                                 GoesOn goes_on) {
   const ui::ExportWish& wish = request.wish;
@@ -45,7 +51,7 @@ haptics::Expected<QString> film(Recording& recording, const ExportRequest& reque
   };
   const auto made = makeFilm(recording, volume, request.out, options);
   if (!made) return tl::unexpected(made.error());
-  return QString::fromStdString(made->film.filename().string());
+  return told(made->film);
 }
 
 haptics::Expected<QString> table(Recording& recording, const ExportRequest& request,
@@ -57,9 +63,20 @@ haptics::Expected<QString> table(Recording& recording, const ExportRequest& requ
   options.rate = wish.rate.value_or(0.0);
   options.contacts = wish.contacts;
   options.goes_on = std::move(goes_on);
+  std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>> volumes;
+  if (request.volume && recording.isCut()) {
+    auto edited = editedAsRecorded(request.volume, request.hash, recording);
+    if (edited) volumes = std::move(*edited);
+  }
+  options.volume = [&](std::uint32_t id) {
+    const auto found = volumes.find(id);
+    return found == volumes.end() ? nullptr : found->second;
+  };
   const auto made = exporting::kFormats[*wish.table].write(recording, request.out, options);
   if (!made) return tl::unexpected(made.error());
-  return QString::fromStdString(request.out.filename().string());
+  if (made->cuts_without_voxels == 0) return told(request.out);
+  return told(request.out) + ' ' +
+         ExportTask::tr("Which voxels were cut is left out: that needs their scan on view.");
 }
 
 haptics::Expected<QString> exported(const ExportRequest& request, const background::Watch& watch) {
@@ -84,7 +101,7 @@ bool ExportTask::start(ExportRequest request) {
   task_.start([request = std::move(request)](
                   const background::Watch& watch) { return exported(request, watch); },
               [this](const haptics::Expected<QString>& made) {
-                if (made) return emit finished(true, tr("\"%1\" was exported.").arg(*made));
+                if (made) return emit finished(true, *made);
                 const haptics::Error& error = made.error();
                 QString why = sentenceOf(error);
                 if (error.reason == background::kNoMemory || error.reason == background::kThrew)

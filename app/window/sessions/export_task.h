@@ -20,7 +20,8 @@ namespace app {
 struct ExportRequest {
   std::filesystem::path recording, out;
   ui::ExportWish wish;
-  /// Scan for a film, before any edit; null: the film shows only the tool.
+  /// Scan on view, before any edit: for a film, and for the voxels that cuts removed. Null: the film
+  /// shows only the tool, and the voxels are left out.
   std::shared_ptr<const haptics::Volume> volume = {};
   std::optional<VolumeHash> hash = {};    ///< hash of the volume, if it is known
   std::optional<FilmCamera> camera = {};  ///< camera of a film with a fixed view
@@ -44,7 +45,7 @@ class ExportTask : public QObject {
   void finished(bool well, const QString& what);
 
  private:
-  background::Task<QString> task_;  ///< the name of the written file
+  background::Task<QString> task_;  ///< a sentence about what was written
 };
 
 }  // namespace app
