@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A Palpate recording with nothing but Python: steps(path) gives a dict a step, contacts(path) one a
 contact, by the names and types that the recording itself tells; units(path) gives their units. distances(path)
-gives those to structures."""
+gives those to structures, and cuts(path) what a burr cut."""
 import array
 import itertools
 import json
@@ -97,6 +97,15 @@ def distances(path):
                   for number in json.loads(structures) for what in ("tip", "nearest")]
         yield from ({"sequence": first + i, **row}
                     for i, row in enumerate(_rows(packed, count, layout, rounding)))
+
+
+def cuts(path):
+    """With the sequence of the step in which each began."""
+    file, rounding, _, _ = _opened(path)
+    layout = file.execute("SELECT value FROM meta WHERE key = 'cut_layout'").fetchone()
+    for first, count, packed in file.execute("SELECT first, count, data FROM cut ORDER BY first") if layout else []:
+        yield from ({"sequence": first + row.pop("step"), **row}
+                    for row in _rows(packed, count, json.loads(layout[0]), rounding))
 
 
 def units(path):

@@ -268,6 +268,7 @@ def from_hdf5(path):
         check(scene["tool"] == "probe" and list(scene["dims"]) == [64, 64, 64] and
               scene["dims"].dtype == "int64", "the scene's facts")
         check(scene["direction"].shape == (3, 3), "the scene's direction")
+        check("physics_data" not in file and "metadata" not in file, "what was not drilled has groups of drilling")
         read = {"time": file["time"][:].tolist(),
                 "device": joined("device/position", "device/orientation"),
                 "proxy": joined("proxy/position", "proxy/orientation"),
@@ -393,6 +394,103 @@ def holds_the_trace(folder):
         check(found["events"] == events, f"{format}: events are {found['events']}")
     is_bids(folder / "whole")
     return recording, truth
+
+
+def read_nrrd(path):
+    """The voxels by i, j, k, their spacing and origin [m]; of files that palpate-cli has written."""
+    header, voxels = pathlib.Path(path).read_bytes().split(b"\n\n", 1)
+    fields = dict(re.findall(r"^([a-z ]+): (.*)$", header.decode(), re.MULTILINE))
+    check(fields["type"] == "int16" and fields["encoding"] == "raw", f"{path}: {fields}")
+    directions = numpy.array([list(map(float, column.split(","))) for column in
+                              re.findall(r"\(([^)]*)\)", fields["space directions"])])
+    origin = numpy.array(list(map(float, fields["space origin"].strip("()").split(","))))
+    sizes = list(map(int, fields["sizes"].split()))
+    return numpy.frombuffer(voxels, "<i2").reshape(sizes, order="F"), directions * 1e-3, origin * 1e-3
+
+
+def is_a_drilling_recording(folder):
+    """What a burr did, read by the names that FIVRS has published: today's, and those of its scripts that look at the
+    root. It is what the recorded cuts come to, and what they have left."""
+    cli("convert", "--phantom", "sphere", folder / "cube.nrrd")
+    scan, name = folder / "drilled.nrrd", folder / "drilled"
+    # no two sides are the same
+    cli("convert", folder / "cube.nrrd", scan, "--box", 2, 62, 7, 64, 0, 61)
+    for rate in (1000, 2000):
+        cli("run", "--volume", scan, "--isovalue", 0, "--tool", "burr-6", "--hand", "slide", "--seconds", 3, "--rate", rate,
+            "--stiffness", 1500, "--cut", "--burr-energy", 0.3, "--record", f"{name}.palpate", "--save-volume",
+            f"{name}.left.nrrd")
+        said = export(f"{name}.palpate", "hdf5", f"{name}.h5", "--volume", scan)
+        before, directions, origin = read_nrrd(scan)
+        left, _, _ = read_nrrd(f"{name}.left.nrrd")
+        check(before.shape == (60, 57, 61) and numpy.array_equal(directions, 1e-3 * numpy.eye(3)), "the scan")
+        cuts, steps = list(rows.cuts(f"{name}.palpate")), list(rows.steps(f"{name}.palpate"))
+        times = {step["sequence"]: step["time"] * 1e-9 for step in steps}
+        check(len(cuts) > 1000 and all(cut["radius"] == cuts[0]["radius"] and cut["isovalue"] == 0 for cut in cuts),
+              f"{len(cuts)} cuts")
+
+        with h5py.File(f"{name}.h5") as file:
+            group = file["physics_data/intermittent_data"]
+            stamps = group["voxels_removed/voxel_time_stamp"][()]
+            removed = group["voxels_removed/voxel_removed"][()]
+            colour = group["voxels_removed/voxel_color"][()]
+            check(removed.shape == (said["removed_voxels"], 4) and colour.shape == (len(removed), 5) and
+                  len(removed) > 300, f"{removed.shape} voxels, {colour.shape} colours")
+            check((numpy.diff(stamps) > 0).all() and set(stamps) <= set(times.values()), "stamps are no times of steps")
+            check(numpy.array_equal(numpy.unique(removed[:, 0]), numpy.arange(len(stamps))) and
+                  (numpy.diff(removed[:, 0]) >= 0).all() and numpy.array_equal(colour[:, 0], removed[:, 0]),
+                  "not every stamp has its voxels")
+            check((colour[:, 1:] == [255, 249, 219, 255]).all(), "colours")
+            check(file["metadata_v3/voxel_volume"][()] == 1.0, "the volume of a voxel")
+            check(group["burr_change/burr_size"][()].tolist() == [6.0] and
+                  group["burr_change/time_stamp"][()].tolist() == [times[0]], "the burr")
+            wrench, at = (group["drill_force_feedback/" + n][()] for n in ("wrench", "time_stamp"))
+            same("wrench", wrench, [[step[f"{of}_{a}"] for of in ("force", "torque") for a in AXES] for step in steps])
+            check(at.tolist() == list(times.values()), "times of forces")
+            # where view_voxel_data.py looks
+            for one in ("voxels_removed/voxel_time_stamp", "voxels_removed/voxel_color", "voxels_removed/voxel_removed",
+                        "burr_change/burr_size", "drill_force_feedback/wrench"):
+                check(numpy.array_equal(file[one][()], group[one][()]), f"{one} at the root")
+            check(file["metadata/voxel_volume"][()] == 1.0, "the volume of a voxel at the root")
+            check(len(file["removed_volume"]) == len(steps), "our own names")
+
+        # those that were within the surface and are not in what was left, each once
+        index = removed[:, 1:].astype(int)
+        gone = numpy.argwhere((before >= 0) & (left < 0))
+        check(sorted(map(tuple, index)) == sorted(map(tuple, gone)), f"{len(index)} voxels, and {len(gone)} are gone")
+        # by the first cut whose ball reached it, the ball's edge as haptics/carving tells; whole numbers blur it
+        begin = numpy.array([[cut["from_" + a] for a in AXES] for cut in cuts])
+        way = numpy.array([[cut["to_" + a] for a in AXES] for cut in cuts]) - begin
+        edge, blur = cuts[0]["radius"] + 0.165e-6 / cuts[0]["radius"], 1e-6
+        wrong = 0
+        for row, *voxel in removed:
+            offset = origin + 1e-3 * numpy.array(voxel) - begin
+            along = numpy.clip((offset * way).sum(1) / numpy.maximum((way * way).sum(1), 1e-30), 0, 1)
+            distance = numpy.linalg.norm(offset - along[:, None] * way, axis=1)
+            first, surely = (times[cuts[numpy.argmax(distance < edge + b)]["sequence"]] for b in (blur, -blur))
+            wrong += not ((distance < edge - blur).any() and first <= stamps[int(row)] <= surely)
+        check(wrong == 0, f"{wrong} voxels have another time than their first cut")
+
+        # a part: the same voxels at the same times, whatever the rate
+        export(f"{name}.palpate", "hdf5", f"{name}.part.h5", "--volume", scan, "--from", 1, "--to", 2, "--rate", 50)
+        with h5py.File(f"{name}.part.h5") as file:
+            group = file["physics_data/intermittent_data"]
+            in_part = (stamps >= 1) & (stamps <= 2)
+            check(0 < in_part.sum() < len(stamps) and
+                  numpy.array_equal(group["voxels_removed/voxel_time_stamp"][()], stamps[in_part]), "stamps of a part")
+            of_part = removed[in_part[removed[:, 0].astype(int)]]
+            check(numpy.array_equal(group["voxels_removed/voxel_removed"][()][:, 1:], of_part[:, 1:]), "voxels of a part")
+            check(group["voxels_removed/voxel_removed"][0, 0] == 0, "rows of a part")
+            check(len(group["drill_force_feedback/wrench"]) == len(file["time"]) == 51, "forces of a part")
+    # the same to the byte; without the scan it says what it lacks; of another scan it is refused
+    export(f"{name}.palpate", "hdf5", f"{name}.again.h5", "--volume", scan)
+    check(open(f"{name}.again.h5", "rb").read() == open(f"{name}.h5", "rb").read(), "two exports differ")
+    done = subprocess.run([CLI, "export", f"{name}.palpate", "--format", "hdf5", "--out", f"{name}.h5"], capture_output=True)
+    check(done.returncode == 0 and b"--volume" in done.stderr, f"without the scan: {done}")
+    with h5py.File(f"{name}.h5") as file:
+        check(list(file["physics_data/intermittent_data"]) == ["burr_change", "drill_force_feedback"] and
+              "voxels_removed" not in file and file["metadata/voxel_volume"][()] == 1.0, "without the scan")
+    export(f"{name}.palpate", "hdf5", f"{name}.h5", "--volume", folder / "cube.nrrd", expect=4)
+    export(f"{name}.palpate", "mcap", f"{name}.mcap", "--volume", scan, expect=2)
 
 
 def holds_distances(folder):
@@ -788,6 +886,7 @@ def main():
         check(missed == [], f"the reader of MCAP misses changed bytes at {missed}")
         is_one_table(folder, recording, truth)
         holds_distances(folder)
+        is_a_drilling_recording(folder)
         has_no_date(folder, recording)
         chooses(folder, recording, truth)
         refuses(folder, recording)
