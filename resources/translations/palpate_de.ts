@@ -2248,6 +2248,10 @@
         <source>There is not enough memory for this export; choose a shorter time.</source>
         <translation>Für diesen Export ist nicht genug Speicher frei; wählen Sie eine kürzere Zeit.</translation>
     </message>
+    <message>
+        <source>Which voxels were cut is left out: that needs their scan on view.</source>
+        <translation>Welche Voxel geschnitten wurden, fehlt darin: dazu muss ihre Aufnahme zu sehen sein.</translation>
+    </message>
 </context>
 <context>
     <name>app::Film</name>

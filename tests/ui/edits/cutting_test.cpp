@@ -4,17 +4,24 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
+#include <QFile>
 #include <QKeyEvent>
+#include <QProcess>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QTableWidget>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <optional>
 #include <variant>
 
 #include "app/recording/recording.h"
 #include "app/recording/replay.h"
 #include "app/window/edits/edit_controller.h"
+#include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
 #include "app/window/structures/structures_controller.h"
@@ -371,6 +378,49 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   emit window().replayBar().closeWanted();
   EXPECT_TRUE(waitFor([&] { return application_->replay() == nullptr; }));
   expectTheSameEverywhere();
+
+  // and so do its exports: over the scan that was cut, and not without it
+  const std::filesystem::path out = scans_.path().toStdString();
+  const auto exported = [&](std::optional<std::size_t> table, const char* name, bool with_scan) {
+    app::ExportRequest request{
+        .recording = path.parent_path() / path.stem(), .out = out / name, .wish = {}};
+    request.wish.table = table;
+    request.wish.from = recording->begin();
+    request.wish.to = recording->end();
+    if (with_scan) request.volume = scan;
+    std::optional<QString> told;
+    const auto ended = QObject::connect(&application_->exporting().task(),
+                                        &app::ExportTask::finished, &application_->window(),
+                                        [&](bool, const QString& what) { told = what; });
+    application_->exporting().exportTo(request);
+    EXPECT_TRUE(waitFor([&] { return told.has_value(); }, 60.0)) << name;
+    QObject::disconnect(ended);
+    return told.value_or(QString{});
+  };
+  const auto holdsVoxels = [&](const char* name) {
+    QFile file(QString::fromStdString((out / name).string()));
+    return file.open(QIODevice::ReadOnly) && file.readAll().contains("voxel_removed");
+  };
+  constexpr std::size_t kHdf5 = 2;
+  EXPECT_EQ(exported(kHdf5, "with.h5", true), "\"with.h5\" was exported.");
+  EXPECT_TRUE(holdsVoxels("with.h5"));
+  EXPECT_EQ(exported(kHdf5, "without.h5", false),
+            "\"without.h5\" was exported. Which voxels were cut is left out: that needs their scan "
+            "on view.");
+  EXPECT_FALSE(holdsVoxels("without.h5"));
+  if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) GTEST_SKIP() << "ffmpeg is not there";
+  EXPECT_EQ(exported(std::nullopt, "film.mp4", true), "\"film.mp4\" was exported.");
+  const QString frames = scans_.filePath("frame%04d.png");
+  ASSERT_EQ(QProcess::execute(
+                "ffmpeg", {"-v", "error", "-i", scans_.filePath("film.mp4"), "-r", "1", frames}),
+            0);
+  const QStringList pictures = QDir(scans_.path()).entryList({"frame*.png"}, QDir::Files, QDir::Name);
+  ASSERT_GT(pictures.size(), 2);
+  const QImage first(scans_.filePath(pictures.first())), last(scans_.filePath(pictures.last()));
+  window::keep(first, "film_of_cuts_first");
+  window::keep(last, "film_of_cuts_last");
+  // one stroke was cut before the recording began
+  EXPECT_GT(window::count(last, cutColoured), window::count(first, cutColoured) + 60);
 }
 
 }  // namespace
