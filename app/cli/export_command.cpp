@@ -102,8 +102,7 @@ Outcome run(ExportCommand command) {
     targets.push_back({"the dictionary of --out", beside.replace_extension(format.beside)});
   }
   for (const char* ending : format.files) targets.push_back({"--out", command.out + ending});
-  if (const auto wrong = overwritten(targets, command.volume, {command.file}))
-    return usage(*wrong);
+  if (const auto wrong = overwritten(targets, command.volume, {command.file})) return usage(*wrong);
   auto recording = Recording::open(command.file);
   if (!recording) return refused(recording.error());
   command.options.goes_on = [](double) { return !interrupted(); };
@@ -160,9 +159,10 @@ void addExport(CLI::App& program, Chosen& chosen) {
       ->check(finiteNumber() & CLI::Range(0.001, 1e6));
   command->add_flag_callback(
       "--no-contacts", [options] { options->options.contacts = false; }, "Leave out the contacts");
-  auto* path = command->add_option("--volume", options->volume.path,
-                                   "The scan that was touched: for a film, which shows only the "
-                                   "tool without it, and for the voxels that cuts removed, in hdf5");
+  auto* path =
+      command->add_option("--volume", options->volume.path,
+                          "The scan that was touched: for a film, which shows only the "
+                          "tool without it, and for the voxels that cuts removed, in hdf5");
   path->check(notEmpty());
   command->add_option("--phantom", options->volume.phantom, "The phantom that was touched")
       ->excludes(path)

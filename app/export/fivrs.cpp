@@ -31,9 +31,10 @@ struct VoxelTables {
         removed{file, "physics_data/intermittent_data/voxels_removed/voxel_removed", 4, "",
                 "row of voxel_time_stamp; index i, j, k of a voxel of the scan whose value fell "
                 "below the isovalue of the cut and was not below it before"},
-        colour{file, "physics_data/intermittent_data/voxels_removed/voxel_color", 5, "",
-               "row of voxel_time_stamp; red, green, blue and opacity of 255: that of bone for all, "
-               "since a recording does not say to which structure a voxel belongs"} {}
+        colour{
+            file, "physics_data/intermittent_data/voxels_removed/voxel_color", 5, "",
+            "row of voxel_time_stamp; red, green, blue and opacity of 255: that of bone for all, "
+            "since a recording does not say to which structure a voxel belongs"} {}
 
   void add(double time_s, std::span<const RemovedVoxels::Index> voxels) {
     if (voxels.empty()) return;
@@ -171,14 +172,16 @@ haptics::Expected<bool> writeDrilling(hid_t file, Recording& recording,
   };
   // from the beginning, since what was cut before `from` is not cut again
   constexpr double kMargin = 1e-3;  // s, as in forEachChosen
-  const auto done = recording.forEach(-INFINITY, options.to + kMargin, [&](const RecordedStep& row) {
-    if (row.step.time_ns > window.to) return false;
-    if (read++ % kStepsBetweenQuestions == 0 && options.goes_on) cancelled = !options.goes_on(1.0);
-    if (cancelled) return false;
-    if (const auto added = add(row.step); !added) failed = added.error();
-    sound = burrs.sound() && (!voxels || voxels->sound());
-    return sound && !failed;
-  });
+  const auto done =
+      recording.forEach(-INFINITY, options.to + kMargin, [&](const RecordedStep& row) {
+        if (row.step.time_ns > window.to) return false;
+        if (read++ % kStepsBetweenQuestions == 0 && options.goes_on)
+          cancelled = !options.goes_on(1.0);
+        if (cancelled) return false;
+        if (const auto added = add(row.step); !added) failed = added.error();
+        sound = burrs.sound() && (!voxels || voxels->sound());
+        return sound && !failed;
+      });
   if (!done) return tl::unexpected(done.error());
   if (failed) return tl::unexpected(*failed);
   if (cancelled)

@@ -6,7 +6,6 @@
 #include "app/export/export.h"
 #include "app/export/hdf5_tables.h"
 #include "haptics/core/error.h"
-#include "haptics/servo/step.h"
 
 namespace app::exporting {
 

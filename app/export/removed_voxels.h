@@ -15,8 +15,8 @@
 
 namespace app::exporting {
 
-/// Which voxels cuts remove as wholes. A voxel is removed by the cut at whose isovalue it was within
-/// the surface before (its value at or above it) and is not after.
+/// Which voxels cuts remove as wholes. A voxel is removed by the cut at whose isovalue it was
+/// within the surface before (its value at or above it) and is not after.
 class RemovedVoxels {
  public:
   using Index = std::array<std::int64_t, 3>;  ///< i, j, k

@@ -44,8 +44,8 @@ haptics::Expected<CutsUntil::Moved> CutsUntil::moveTo(
   const auto isCutAlready = [&](std::size_t n) {
     return n > 0 && cuts_[n - 1].scene == scene && cuts_[n - 1].sequence > sequence;
   };
-  moved.anew = !live_ || live_->copy.uncut() != uncut || live_->scene != scene ||
-               isCutAlready(live_->next);
+  moved.anew =
+      !live_ || live_->copy.uncut() != uncut || live_->scene != scene || isCutAlready(live_->next);
   if (moved.anew)
     if (auto begun = begin(uncut, scene); !begun) return tl::unexpected(begun.error());
   for (; live_->next < cuts_.size() && cuts_[live_->next].scene == scene &&

@@ -172,7 +172,7 @@ complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l from -r -F -d
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l to -r -F -d 'Leave out everything after this time (s)'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l rate -r -F -d 'Steps per second (Hz); by default all steps'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l no-contacts -d 'Leave out the contacts'
-complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l volume -r -F -d 'The scan that was touched; without it only the tool'
+complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l volume -r -F -d 'The scan that was touched - for a film, which shows only the tool without it, and for the voxels that cuts removed, in hdf5'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l phantom -r -F -d 'The phantom that was touched'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l series -r -F -d 'Number of a series of a folder, or of a volume of a file'
 complete -c palpate-cli -n '__fish_seen_subcommand_from export' -l correct -d 'Resample slices that are tilted or unevenly spaced'

@@ -20,8 +20,8 @@ namespace app {
 struct ExportRequest {
   std::filesystem::path recording, out;
   ui::ExportWish wish;
-  /// Scan on view, before any edit: for a film, and for the voxels that cuts removed. Null: the film
-  /// shows only the tool, and the voxels are left out.
+  /// Scan on view, before any edit: for a film, and for the voxels that cuts removed. Null: the
+  /// film shows only the tool, and the voxels are left out.
   std::shared_ptr<const haptics::Volume> volume = {};
   std::optional<VolumeHash> hash = {};    ///< hash of the volume, if it is known
   std::optional<FilmCamera> camera = {};  ///< camera of a film with a fixed view

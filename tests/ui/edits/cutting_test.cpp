@@ -389,9 +389,9 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
     request.wish.to = recording->end();
     if (with_scan) request.volume = scan;
     std::optional<QString> told;
-    const auto ended = QObject::connect(&application_->exporting().task(),
-                                        &app::ExportTask::finished, &application_->window(),
-                                        [&](bool, const QString& what) { told = what; });
+    const auto ended =
+        QObject::connect(&application_->exporting().task(), &app::ExportTask::finished,
+                         &application_->window(), [&](bool, const QString& what) { told = what; });
     application_->exporting().exportTo(request);
     EXPECT_TRUE(waitFor([&] { return told.has_value(); }, 60.0)) << name;
     QObject::disconnect(ended);
@@ -414,7 +414,8 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   ASSERT_EQ(QProcess::execute(
                 "ffmpeg", {"-v", "error", "-i", scans_.filePath("film.mp4"), "-r", "1", frames}),
             0);
-  const QStringList pictures = QDir(scans_.path()).entryList({"frame*.png"}, QDir::Files, QDir::Name);
+  const QStringList pictures =
+      QDir(scans_.path()).entryList({"frame*.png"}, QDir::Files, QDir::Name);
   ASSERT_GT(pictures.size(), 2);
   const QImage first(scans_.filePath(pictures.first())), last(scans_.filePath(pictures.last()));
   window::keep(first, "film_of_cuts_first");
