@@ -31,10 +31,10 @@ struct VoxelTables {
         removed{file, "physics_data/intermittent_data/voxels_removed/voxel_removed", 4, "",
                 "row of voxel_time_stamp; index i, j, k of a voxel of the scan whose value fell "
                 "below the isovalue of the cut and was not below it before"},
-        colour{
-            file, "physics_data/intermittent_data/voxels_removed/voxel_color", 5, "",
-            "row of voxel_time_stamp; red, green, blue and opacity of 255: that of bone for all, "
-            "since a recording does not say to which structure a voxel belongs"} {}
+        colour{file, "physics_data/intermittent_data/voxels_removed/voxel_color", 5, "",
+               "row of voxel_time_stamp; red, green, blue and opacity of 255: that of bone for "
+               "all, as "
+               "structures are not told apart"} {}
 
   void add(double time_s, std::span<const RemovedVoxels::Index> voxels) {
     if (voxels.empty()) return;
