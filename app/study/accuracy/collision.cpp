@@ -92,7 +92,8 @@ Outcome collisions(const std::vector<Detector>& all, const std::string& name, lo
           {"arcs in " + name + ": " + what, value, 0.0, "arcs", Case::Sense::AtMost, note});
     };
     none("missed", double(tally.missed), "Inside somewhere on the way, and not stopped.");
-    none("late", double(tally.late), "Stopped more than 1e-3 voxel of path beyond the surface, and not at it.");
+    none("late", double(tally.late),
+         "Stopped more than 1e-3 voxel of path beyond the surface, and not at it.");
     none("early", double(tally.early),
          "Stopped where F is below what sagitta, root and guard amount to.");
     outcome.cases.push_back({"arcs in " + name + ": that meet the surface", double(meet), 1.0,
