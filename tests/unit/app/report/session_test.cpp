@@ -116,7 +116,8 @@ TEST(RehearsalReport, StepsOverAnotherScanAreNotKnown) {
   Volume other = *touched->volume;
   other.grid.origin.x() += 1e-3;
   const Watch watch = halves(touched->volume->grid);
-  const auto session = sessionOf(*recording, watch, made::shared(other), {{}, {}}, kGoOn);
+  const auto session =
+      sessionOf(*recording, watch, std::make_shared<const Volume>(other), {{}, {}}, kGoOn);
   ASSERT_TRUE(session);
   EXPECT_GT(session->figures.time, 0.4);
   EXPECT_NEAR(session->figures.unknown, session->figures.time, 1e-9);
