@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/study/accuracy/accuracy.h"
 
+#include "app/study/accuracy/carving.h"
 #include "app/study/accuracy/closed_forms.h"
 #include "app/study/accuracy/collision.h"
 #include "app/study/accuracy/field_error.h"
@@ -78,6 +79,17 @@ Study accuracyStudy(Depth depth) {
   add("plates", "Fields", quick ? 2.0 : 20.0, [=](std::uint64_t seed) {
     return plateErrors(quick ? 1 : 6, quick ? 100 : 400, narrow(seed));
   });
+  const CarvingEffort carving =
+      quick ? CarvingEffort{{1.5, 2.0, 3.0, 6.0}, 4, 300} : CarvingEffort{};
+  for (const std::string& shape : carvedShapes())
+    add("carved " + shape, "Carving", quick ? 1.0 : 60.0,
+        [=](std::uint64_t seed) { return carvings(carvers(), shape, carving, narrow(seed)); });
+  add("carved ball at another isovalue", "Carving", quick ? 0.5 : 10.0, [=](std::uint64_t seed) {
+    return carvedAtOtherIsovalues(carvers().front(), carving, narrow(seed));
+  });
+  add("rate of removal", "Carving", quick ? 2.0 : 30.0, [=](std::uint64_t) {
+    return carvingRates(pressedLaw(), quick ? RateEffort{{0.5, 2.0, 10.0}, {1000}} : RateEffort{});
+  });
   const SceneEffort effort = quick ? SceneEffort{.hands = 5,
                                                  .seconds = 0.2,
                                                  .holds = 8,
@@ -127,7 +139,13 @@ Study accuracyStudy(Depth depth) {
         ": truly stuck"},
        {"Freed of the paper's freezing, the proxy stays nearer to the device: its mean distance is "
         "at most {worst} times that of the paper's algorithm as it is written, on the same hands.",
-        ": coupling distance, ours over literal"}},
+        ": coupling distance, ours over literal"},
+       {"What a burr leaves of a solid is the ideal ball, groove or cavity within {worst} on the "
+        "mean square, in {count} shapes, materials and radii.",
+        ": place of the wall, rms"},
+       {"A burr that is pressed removes what its law says: off by at most {worst}, in {count} "
+        "presses.",
+        ": volume removed, off the law"}},
       {"bone: distance to the best pose", "engine: distance to the best pose",
        "hole: distance to the best pose", "Ball held in the wedge: position",
        "Lag of a plate flat on a plane"}};

@@ -118,12 +118,6 @@ double nanosecondsOf(const std::vector<Vec3>& places, F&& f) {
   return double(ended - begun) / double(places.size()) + (std::isnan(sum) ? 1e9 : 0.0);
 }
 
-double rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double v : values) sum += v * v;
-  return std::sqrt(sum / double(values.size()));
-}
-
 }  // namespace
 
 const char* nameOf(Interpolation kind) {

@@ -35,6 +35,12 @@ std::vector<std::string> countsOf(const std::optional<comparison::MeanCounts>& c
 
 }  // namespace
 
+double rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v * v;
+  return std::sqrt(sum / double(values.size()));
+}
+
 std::vector<bool> paretoFront(const std::vector<std::pair<double, double>>& points) {
   std::vector<bool> front;
   for (const auto& p : points)

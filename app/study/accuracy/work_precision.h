@@ -35,6 +35,9 @@ struct WorkPrecision {
 /// it. And a table with the quantiles of both, the spread between runs, and what was counted.
 void addTo(Outcome& outcome, const WorkPrecision& work);
 
+/// Root mean square; not a number for none.
+double rms(const std::vector<double>& values);
+
 /// Which of some points no other is at least as good as in both, and better in one.
 std::vector<bool> paretoFront(const std::vector<std::pair<double, double>>& points);
 
