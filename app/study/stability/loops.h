@@ -195,9 +195,16 @@ inline std::optional<haptics::Pose> placeOf(const comparison::Touched& touched,
 }
 /// Milliseconds of contact up to which they are counted: more says nothing about a case.
 inline constexpr double kContactEnough = 200.0;
-/// Runs a loop and watches the handle between two times [s].
+/// A hand that waits [s] and goes from corner to corner of a way, gently at each, by at most 30
+/// mm/s.
+haptics::Hand along(const std::vector<haptics::Vec3>& corners, double wait);
+/// s that this takes, and a little longer for the device to follow.
+double timeAlong(const std::vector<haptics::Vec3>& corners, double wait);
+/// Runs a loop and watches the handle between two times [s]. `each` is called after every tick and
+/// may change the loop's settings for the next.
 LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::int64_t ticks,
-                   double from = 0.0, double until = INFINITY);
+                   double from = 0.0, double until = INFINITY,
+                   const std::function<void(const haptics::TraceRow&)>& each = {});
 
 /// A scene to press on: straight down to the first touch at `X_touch`, and from there no deeper
 /// than `deepest` [m], for a ball is not to be pressed through.

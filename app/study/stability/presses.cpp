@@ -12,10 +12,15 @@
 namespace study::stability {
 namespace {
 
-constexpr double kPress = 2.0;   // N
-constexpr double kSpeed = 0.06;  // m/s, of the hand at its fastest
-constexpr double kRest = 0.2;    // s
-constexpr double kSettle = 0.8;  // s: a handle on noise finds its place, ringing at some 7 Hz
+constexpr double kPress = 2.0;      // N
+constexpr double kSpeed = 0.06;     // m/s, of the hand at its fastest
+constexpr double kRest = 0.2;       // s
+constexpr double kSlow = 0.03;      // m/s, of a hand that goes along corners, at its fastest
+constexpr double kFollowing = 0.3;  // s, for the device to follow it
+constexpr double kSettle = 0.8;     // s: a handle on noise finds its place, ringing at some 7 Hz
+
+/// s, from one corner of a way to the next.
+double timeOf(const Vec3& step) { return std::max(0.3, 1.5 * step.norm() / kSlow); }
 
 /// What a device presses with on a stage.
 struct Sweep {
@@ -177,8 +182,32 @@ haptics::Hand waiting(const haptics::Hand& hand, const std::optional<Pose>& plac
   return haptics::Hand::along(std::move(times), std::move(poses)).value();
 }
 
+haptics::Hand along(const std::vector<Vec3>& corners, double wait) {
+  std::vector<double> times{0.0};
+  std::vector<Pose> poses{at(corners.front())};
+  double begin = wait;
+  for (std::size_t n = 0; n + 1 < corners.size(); ++n) {
+    const Vec3 step = corners[n + 1] - corners[n];
+    const double takes = timeOf(step);
+    for (int part = 0; part <= 100; ++part) {
+      const double u = 0.01 * part, share = u * u * (3.0 - 2.0 * u);
+      times.push_back(begin + u * takes + 1e-6);
+      poses.push_back(at(corners[n] + share * step));
+    }
+    begin += takes + 2e-6;
+  }
+  return haptics::Hand::along(std::move(times), std::move(poses)).value();
+}
+
+double timeAlong(const std::vector<Vec3>& corners, double wait) {
+  double takes = wait + kFollowing;
+  for (std::size_t n = 0; n + 1 < corners.size(); ++n) takes += timeOf(corners[n + 1] - corners[n]);
+  return takes;
+}
+
 LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::int64_t ticks,
-                   double from, double until) {
+                   double from, double until,
+                   const std::function<void(const haptics::TraceRow&)>& each) {
   const haptics::Scene& scene = *loop.scene;
   const double K = loop.settings.stiffness;
   const double lateness = loop.linkage.delay - loop.lead / loop.rate.period();
@@ -208,7 +237,8 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
     result.force = worse(result.force, row.sent_W.force.norm());
     if (tick++ % 10 == 0) {
       ++result.looks;
-      result.inside += !evaluator::isLegal(*scene.volume, loop.settings.isovalue,
+      const haptics::Scene& touched = row.cutting != nullptr ? *row.cutting->scene() : scene;
+      result.inside += !evaluator::isLegal(*touched.volume, loop.settings.isovalue,
                                            scene.tool.shell.points, row.X_WP);
       result.given.push_back({row.time, 1e3 * row.energy});
     }
@@ -227,12 +257,14 @@ LoopResult runLoop(haptics::ClosedLoop& loop, const haptics::Hand& hand, std::in
       const double pull = std::sqrt(2.0 * K * pulled);
       if (pull > 0.1) result.rise = std::max(result.rise, rise / pull);
 
-      if (row.time < from || row.time >= until) return true;
-      lowest = lowest.cwiseMin(row.X_WH.translation());
-      highest = highest.cwiseMax(row.X_WH.translation());
-      result.force_step =
-          std::max(result.force_step, (row.sent_W.force - last->sent_W.force).norm());
+      if (row.time >= from && row.time < until) {
+        lowest = lowest.cwiseMin(row.X_WH.translation());
+        highest = highest.cwiseMax(row.X_WH.translation());
+        result.force_step =
+            std::max(result.force_step, (row.sent_W.force - last->sent_W.force).norm());
+      }
     }
+    if (each) each(row);
     return true;
   });
   result.program = program.energy();

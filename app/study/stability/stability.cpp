@@ -63,7 +63,7 @@ Study stabilityStudy(Depth depth) {
       "Energy is what the loop gives to the hand less what it takes, exact for a force that is "
       "held. After a press and release nothing is stored any more: what is left was generated."};
   for (const auto& jobs : {failureJobs(depth), limitJobs(depth), pressJobs(depth), handJobs(depth),
-                           structureJobs(), rateJobs(depth), rivalJobs(depth)})
+                           structureJobs(), cutJobs(depth), rateJobs(depth), rivalJobs(depth)})
     study.jobs.insert(study.jobs.end(), jobs.begin(), jobs.end());
   study.jobs.push_back(
       {"omissions", "What is left out", 0.01, [=](std::uint64_t) { return omissions(depth); }});
@@ -74,6 +74,9 @@ Study stabilityStudy(Depth depth) {
         "/ticks inside"},
        {"In {count} presses the evaluator finds a point inside {worst} times.",
         "/looks that found it inside"},
+       {"A burr that cuts plates, edges and thin walls never enters what it leaves: {worst} ticks "
+        "in {count} sweeps of stiffness.",
+        "/ticks inside what is left"},
        {"Nothing diverges: {worst} values that are not finite in {count} runs.", "/not finite"},
        {"A press and its release give the hand at most {worst}, which is less than a touch of a "
         "fingertip; {count} presses, with each device, stiffness, noise and delay.",

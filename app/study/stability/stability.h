@@ -26,6 +26,10 @@ std::vector<Job> handJobs(Depth depth);
 /// A press on a structure and a slide across it, for each way in which it can be felt.
 std::vector<Job> structureJobs();
 
+/// A burr that cuts plates, edges and thin walls, pressed and slid, with the isovalue still or
+/// moved.
+std::vector<Job> cutJobs(Depth depth);
+
 /// Every device at every rate that its link carries, through hands that tap, wedge, pry and hook:
 /// twenty minutes a device in full.
 std::vector<Job> rateJobs(Depth depth);

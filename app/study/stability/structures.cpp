@@ -14,7 +14,6 @@ using haptics::Feel;
 constexpr double kVoxel = 5e-4, kTool = 2e-3, kBall = 4e-3;  // m
 constexpr double kIsovalue = 300.0;
 constexpr double kPress = 1.5;     // N
-constexpr double kSpeed = 0.03;    // m/s, of the hand at its fastest
 constexpr double kHeight = 12e-3;  // m, from where it comes
 
 /// A way to feel a ball in the surface of bone, and the place of its middle over that surface [m].
@@ -70,24 +69,6 @@ Touched touchedAs(const FeltBall& ball, unsigned seed) {
   return {haptics::makeScene(volume, toolOf(datasets::ballPoints(100, kTool))).value(), watch};
 }
 
-/// Corners of a way, gone along one after the other, gently at each.
-haptics::Hand along(const std::vector<Vec3>& corners, double wait) {
-  std::vector<double> times{0.0};
-  std::vector<Pose> poses{at(corners.front())};
-  double begin = wait;
-  for (std::size_t n = 0; n + 1 < corners.size(); ++n) {
-    const Vec3 step = corners[n + 1] - corners[n];
-    const double takes = std::max(0.3, 1.5 * step.norm() / kSpeed);
-    for (int part = 0; part <= 100; ++part) {
-      const double u = 0.01 * part, share = u * u * (3.0 - 2.0 * u);
-      times.push_back(begin + u * takes + 1e-6);
-      poses.push_back(at(corners[n] + share * step));
-    }
-    begin += takes + 2e-6;
-  }
-  return haptics::Hand::along(std::move(times), std::move(poses)).value();
-}
-
 Outcome feltAs(const FeltBall& ball, std::uint64_t seed) {
   Findings found;
   const Touched touched = touchedAs(ball, unsigned(601 + seed));
@@ -109,11 +90,8 @@ Outcome feltAs(const FeltBall& ball, std::uint64_t seed) {
       haptics::ClosedLoop loop = loopOf({wall, K, true}, touched.scene, kIsovalue);
       loop.watch = touched.watch;
       const double wait = loop.limits.ramp_time;
-      const haptics::Hand hand = along(corners, wait);
-      double takes = wait + 0.3;
-      for (std::size_t n = 0; n + 1 < corners.size(); ++n)
-        takes += std::max(0.3, 1.5 * (corners[n + 1] - corners[n]).norm() / kSpeed);
-      const LoopResult r = runLoop(loop, hand, std::lround(takes / wall.period), wait);
+      const LoopResult r = runLoop(loop, along(corners, wait),
+                                   std::lround(timeAlong(corners, wait) / wall.period), wait);
       found.row("A structure that is felt",
                 {{"felt", ball.name},
                  {"hand", way},
