@@ -7,6 +7,7 @@
 
 #include "app/measurement/quantile.h"
 #include "app/study/plan/left_out_work.h"
+#include "haptics/proxy/cutting.h"
 #include "haptics/proxy/tick.h"
 #include "haptics/scene/legal_pose.h"
 #include "haptics/simulation/grip.h"
@@ -17,10 +18,21 @@ namespace {
 
 using haptics::Budget;
 
+std::unique_ptr<haptics::Cutting> cuttingOf(const haptics::Scene& scene) {
+  haptics::CutLaw law;
+  law.burr = haptics::ballAtTip(scene.tool.shell, 2e-3);
+  return std::make_unique<haptics::Cutting>(haptics::CarvedScene::of(scene).value(), law);
+}
+
 /// One of the two, on its way.
 struct Side {
-  Side(const haptics::Scene& in, const Course& course, const haptics::Pose& X_start)
-      : scene{in}, proxy{in, X_start}, left_out{in.plan, in.tree} {
+  Side(const haptics::Scene& in, const Course& course, const haptics::Pose& X_start,
+       Burr of = Burr::None)
+      : burr{of},
+        cutting{of == Burr::None ? nullptr : cuttingOf(in)},
+        scene{cutting ? *cutting->scene() : in},
+        proxy{scene, X_start},
+        left_out{scene.plan, scene.tree} {
     proxy.second_look = &left_out;
     grip.gyration = std::sqrt(in.tool.shell.inertia.trace() / 3.0);
     grip.X_WD = course.hand.at(course.begin);
@@ -33,12 +45,17 @@ struct Side {
     const std::int64_t begun = Budget::threadTime();
     const haptics::TickResult result =
         haptics::tick(scene, course.isovalue, course.coupling, grip.X_WD, proxy, budget, kPeriod);
+    haptics::Wrench drag;
+    if (cutting)
+      drag = cutting->go(burr == Burr::Held, proxy, grip.X_WD, course.isovalue, kPeriod, budget);
     spent += Budget::threadTime() - begun;
     work += budget.spent();
-    felt = result.wrench_W;
+    felt = {result.wrench_W.force + drag.force, result.wrench_W.torque + drag.torque};
     contact_ticks += result.contacts > 0 ? 1 : 0;
   }
 
+  Burr burr;
+  std::unique_ptr<haptics::Cutting> cutting;
   const haptics::Scene& scene;
   haptics::Proxy proxy;
   LeftOutWork left_out;
@@ -112,13 +129,13 @@ void report(const Course& course, const std::string& what, const std::string& wh
 }  // namespace
 
 Comparison compared(const Course& course, const haptics::Scene& first, const haptics::Scene& second,
-                    int runs) {
+                    int runs, Burr burr) {
   Comparison found;
   const auto start = haptics::legalPoseNear(first, course.isovalue, course.hand.at(course.begin));
   if (!start) return found;
   const double radius = first.tool.shell.radius, clock = clockCost();
   for (int run = 0; run < runs; ++run) {
-    Side a{first, course, *start}, b{second, course, *start};
+    Side a{first, course, *start}, b{second, course, *start, burr};
     for (int n = 0; n < course.ticks; ++n) {
       // in turn, so that neither always finds the caches warm
       Side& earlier = n % 2 == 0 ? a : b;
@@ -142,6 +159,17 @@ Comparison compared(const Course& course, const haptics::Scene& first, const hap
     found.second_work = double(b.work) / course.ticks;
   }
   return found;
+}
+
+std::optional<std::int64_t> workOf(const Course& course, Burr burr,
+                                   const std::function<void()>& begin) {
+  const haptics::Scene& scene = *course.scene;
+  const auto start = haptics::legalPoseNear(scene, course.isovalue, course.hand.at(course.begin));
+  if (!start) return {};
+  Side side{scene, course, *start, burr};
+  begin();
+  for (int n = 0; n < course.ticks; ++n) side.step(course, n);
+  return side.work;
 }
 
 std::shared_ptr<const haptics::Scene> without(const haptics::Scene& scene,
@@ -192,6 +220,40 @@ Outcome examined(const Course& course, int runs) {
        {"points of the tool", Scale::Log},
        {"mean tick [us]", Scale::Log},
        {series("as planned", all.first_us), series("nothing left out", all.second_us)}});
+  return outcome;
+}
+
+Outcome uncut(const Course& course, int runs, Burr burr) {
+  Outcome outcome;
+  const Comparison found = compared(course, *course.scene, *course.scene, runs, burr);
+  const double unknown = found.ticks > 0 ? 0.0 : INFINITY;
+  const auto none = [&](const char* measure, double value, const char* unit) {
+    outcome.cases.push_back({course.name + ": a burr that is not held: " + measure, value + unknown,
+                             0.0, unit, Case::Sense::AtMost,
+                             "largest of " + std::to_string(found.ticks) + " ticks"});
+  };
+  none("pose apart", found.pose, "m");
+  none("force apart", found.force, "N");
+  none("torque apart", found.torque, "N·m");
+  none("work of a tick, more", std::abs(found.second_work - found.first_work), "units");
+  if (course.touches)
+    outcome.cases.push_back({course.name + ": a burr that is not held: ticks in contact",
+                             double(found.contact_ticks), kEnough, "", Case::Sense::AtLeast,
+                             "a hand that touches nothing would prove nothing"});
+  if (found.ticks == 0) return outcome;
+  std::vector<double> more;
+  for (std::size_t n = 0; n < found.first_us.size(); ++n)
+    more.push_back(100.0 * (found.second_us[n] / found.first_us[n] - 1.0));
+  outcome.tables.push_back(
+      {"A tool that could cut and does not, against one without a burr",
+       {"scene and hand", "mean tick without [us]", "with [us]", "more [%], median (p10 to p90)",
+        "work a tick without", "with", "pose apart [m]", "force apart [N]"},
+       {{course.name, shortly(quantileOf(found.first_us, 0.5)),
+         shortly(quantileOf(found.second_us, 0.5)),
+         shortly(quantileOf(more, 0.5)) + " (" + shortly(quantileOf(more, 0.1)) + " to " +
+             shortly(quantileOf(more, 0.9)) + ")",
+         shortly(found.first_work), shortly(found.second_work), shortly(found.pose),
+         shortly(found.force)}}});
   return outcome;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,9 +39,18 @@ struct Comparison {
   double first_work = 0.0, second_work = 0.0;  ///< units of core/budget.h
 };
 
-/// Runs them `runs` times. No budget cuts a tick. A start without a legal pose leaves `ticks` at 0.
+/// A burr at the tip of the tool: there is none, or it could cut, or it turns.
+enum class Burr { None, Ready, Held };
+
+/// Runs them `runs` times, the second with a burr. No budget cuts a tick. A start without a legal
+/// pose leaves `ticks` at 0.
 Comparison compared(const Course& course, const haptics::Scene& first, const haptics::Scene& second,
-                    int runs);
+                    int runs, Burr burr = Burr::None);
+
+/// The units of work of a course in its own scene; none if the start has no legal pose. `begin` is
+/// called before the first tick.
+std::optional<std::int64_t> workOf(const Course& course, Burr burr,
+                                   const std::function<void()>& begin);
 
 /// The scene with one of its omissions switched off, or with all of them.
 std::shared_ptr<const haptics::Scene> without(const haptics::Scene& scene,
@@ -47,5 +59,9 @@ std::shared_ptr<const haptics::Scene> withEverything(const haptics::Scene& scene
 
 /// Every omission of the course's scene, off against on.
 Outcome examined(const Course& course, int runs);
+
+/// The course's scene by itself against the same with a burr that is not held, in pose, force,
+/// torque and work.
+Outcome uncut(const Course& course, int runs, Burr burr = Burr::Ready);
 
 }  // namespace study::plan

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "app/study/accuracy/carving.h"
 #include "app/study/accuracy/closed_forms.h"
 #include "app/study/accuracy/collision.h"
 #include "app/study/accuracy/contenders.h"
@@ -33,6 +34,12 @@ using study::Outcome;
 
 bool allPass(const Outcome& outcome) {
   return !outcome.cases.empty() && std::ranges::all_of(outcome.cases, &Case::pass);
+}
+
+/// Whether a case whose name ends so fails.
+bool fails(const Outcome& outcome, const std::string& end) {
+  return std::ranges::any_of(outcome.cases,
+                             [&](const Case& c) { return c.name.ends_with(end) && !c.pass(); });
 }
 
 TEST(ParetoFront, LeavesOutWhatAnotherOutdoes) {
@@ -475,6 +482,87 @@ TEST(Studies, HaveJobsAndCasesWithNamesOfTheirOwn) {
       }
     }
   EXPECT_FALSE(study::makeStudy("nothing", study::Depth::Quick));
+}
+
+/// Some places of burrs of 3 and 6 voxels.
+const study::accuracy::CarvingEffort kSomeCarving{{3.0, 6.0}, 3, 200};
+
+TEST(Carving, OfABurrIsTheIdealShape) {
+  for (const std::string& shape : study::accuracy::carvedShapes()) {
+    const Outcome outcome =
+        study::accuracy::carvings({study::accuracy::carvers().front()}, shape, kSomeCarving, 3);
+    // place, normal and volume of two radii in four materials
+    EXPECT_EQ(outcome.cases.size(), 24u);
+    for (const Case& c : outcome.cases)
+      EXPECT_TRUE(c.pass()) << c.name << ": " << c.value << " against " << c.bound;
+  }
+}
+
+TEST(Carving, SeesABurrOfAnotherSizeAndOneThatCountsWrongly) {
+  using study::accuracy::carvings;
+  const auto ours = study::accuracy::carvers().front();
+  // without what a ball is written larger by, so that its wall comes out right
+  const study::accuracy::Carver unbiased{
+      "planted", [&](const auto& volume, void* voxels, haptics::BurrCut cut) {
+        cut.radius -= 0.165e-6 / cut.radius;
+        return ours.cut(volume, voxels, cut);
+      }};
+  EXPECT_TRUE(fails(carvings({unbiased}, "ball", kSomeCarving, 3), ": place of the wall, rms"));
+  const study::accuracy::Carver miscounted{"planted",
+                                           [&](const auto& volume, void* voxels, const auto& cut) {
+                                             return 1.02 * ours.cut(volume, voxels, cut);
+                                           }};
+  EXPECT_TRUE(fails(carvings({miscounted}, "groove", kSomeCarving, 3),
+                    ": volume removed, off the shape's"));
+  // a ball at the end of each step, and nothing between
+  const study::accuracy::Carver leaping{
+      "planted", [&](const auto& volume, void* voxels, haptics::BurrCut cut) {
+        cut.from_W = cut.to_W;
+        return ours.cut(volume, voxels, cut);
+      }};
+  EXPECT_TRUE(fails(carvings({leaping}, "groove", kSomeCarving, 3), ": place of the wall, rms"));
+}
+
+TEST(Carving, SeesWholeVoxelsAndShowsThemBesideTheBurr) {
+  const auto& all = study::accuracy::carvers();
+  for (const std::string& shape : study::accuracy::carvedShapes()) {
+    const Outcome whole = study::accuracy::carvings({all.back()}, shape, kSomeCarving, 3);
+    EXPECT_TRUE(fails(whole, ": place of the wall, rms")) << shape;
+    EXPECT_TRUE(fails(whole, ": normal of the wall, rms")) << shape;
+  }
+  const Outcome outcome = study::accuracy::carvings(all, "ball", kSomeCarving, 3);
+  EXPECT_TRUE(allPass(outcome));
+  // ours in four materials, two others in one
+  for (const std::size_t plot : {0u, 1u}) {
+    const auto& series = outcome.plots[plot].series;
+    ASSERT_EQ(series.size(), 6u);
+    EXPECT_EQ(series.back().name, "whole voxels, int16, 1200 at 300");
+    for (std::size_t n = 0; n < 2; ++n)
+      EXPECT_GT(series.back().points[n].y, 10.0 * series.front().points[n].y);
+  }
+  for (const auto& row : outcome.tables.front().rows)
+    EXPECT_EQ(row.size(), outcome.tables.front().head.size());
+}
+
+TEST(Carving, WallsMoveWithTheIsovalueByItOverTheSlope) {
+  const auto& all = study::accuracy::carvers();
+  EXPECT_TRUE(allPass(study::accuracy::carvedAtOtherIsovalues(all[0], kSomeCarving, 3)));
+  // a steeper edge moves less
+  EXPECT_TRUE(fails(study::accuracy::carvedAtOtherIsovalues(all[1], kSomeCarving, 3),
+                    "at -300: place of the wall, off"));
+}
+
+TEST(CarvingRates, AreThoseOfTheLawAndSeeAWrongFactor) {
+  const study::accuracy::RateEffort effort{{2.0, 10.0}, {1000}};
+  haptics::CutLaw law = study::accuracy::pressedLaw();
+  const Outcome outcome = study::accuracy::carvingRates(law, effort);
+  // volume and depth of two forces in three types
+  EXPECT_EQ(outcome.cases.size(), 12u);
+  EXPECT_TRUE(allPass(outcome));
+  law.share *= 1.04;
+  const Outcome planted = study::accuracy::carvingRates(law, effort);
+  EXPECT_TRUE(fails(planted, ": volume removed, off the law"));
+  EXPECT_TRUE(fails(planted, ": volume of the hole, off the law"));
 }
 
 }  // namespace

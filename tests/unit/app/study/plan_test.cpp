@@ -160,6 +160,18 @@ TEST(PlanStudy, ShowsBoundsThatAreWrongInAPartOfTheVolume) {
   EXPECT_FALSE(fails(outcome, "plate: ticks in contact"));
 }
 
+TEST(PlanStudy, FindsThatABurrThatIsNotHeldChangesNothingAndSeesOneThatTurns) {
+  std::vector<Vec3> ball = datasets::ballPoints(300, 2e-3);
+  ball.push_back({0.0, 0.0, -2e-3});  // the tip, by which the burr is found
+  const Course course = pressing(made::scene(plate(), made::tool(ball)));
+  const Outcome ready = study::plan::uncut(course, 1);
+  EXPECT_EQ(ready.cases.size(), 5u);
+  EXPECT_EQ(failing(ready), std::vector<std::string>{});
+  const Outcome turns = study::plan::uncut(course, 1, study::plan::Burr::Held);
+  for (const char* measure : {"pose apart", "force apart", "work of a tick, more"})
+    EXPECT_TRUE(fails(turns, "plate: a burr that is not held: " + std::string{measure}));
+}
+
 TEST(PlanStudy, IsMadeOfJobsWithNamesOfTheirOwn) {
   const study::Study quick = study::plan::planStudy(study::Depth::Quick),
                      full = study::plan::planStudy(study::Depth::Full);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/study/stability/cuts.h"
 #include "app/study/stability/failures.h"
 #include "app/study/stability/loops.h"
 #include "app/study/stability/rivals.h"
@@ -331,6 +332,8 @@ TEST(StabilityStudy, HasEveryDeviceAndNamesEachJobOnce) {
     if (depth == Depth::Full) {
       for (const char* scene : {"bunny", "engine", "hole", "bone"})
         EXPECT_TRUE(names.contains(std::string{"hands/"} + scene)) << scene;
+      for (const std::string& stage : study::stability::cutStages())
+        EXPECT_TRUE(names.contains("cuts/lambda.7/" + stage)) << stage;
       EXPECT_TRUE(names.contains("press/lambda.7/ball/4 kHz"));
       EXPECT_TRUE(names.contains("press/touch/plane/4 kHz"));
     }
@@ -370,6 +373,40 @@ TEST(DistancePlot, ATrialIsBehindWhereItsDeviceIsInside) {
   EXPECT_NEAR(trial.behind.back(), 3e-3, 0.2e-3);  // the ball of 3 mm rests on that of 15
 }
 
+// each pose in the voxels that its tick found, which at the end are those of the recorded cuts
+TEST(Cuts, LeaveTheToolOutsideAndAreThoseThatWereTold) {
+  const Wall wall{findDeviceModel("falcon").value()};
+  for (const auto isovalue :
+       {study::stability::IsovalueWay::Still, study::stability::IsovalueWay::Rising}) {
+    const study::stability::CutWay way{"thin wall", wall, 1500.0, 3, false, isovalue};
+    const auto cut = study::stability::runCut(way, study::stability::softBone());
+    EXPECT_EQ(cut.inside, 0);
+    EXPECT_EQ(cut.loop.inside, 0);
+    EXPECT_EQ(cut.loop.non_finite, 0);
+    EXPECT_GT(cut.removed, 5e-9);
+    EXPECT_GT(cut.cuts.size(), 100u);
+    EXPECT_EQ(cut.left, cut.carved_anew);
+    const auto again = study::stability::runCut(way, study::stability::softBone(), false);
+    EXPECT_EQ(cut.trace, again.trace);
+    EXPECT_EQ(cut.left, again.left);
+  }
+}
+
+// a wall that grows over the tool is seen: the isovalue falls while it cuts
+TEST(Cuts, AreJudgedAtTheIsovalueOfTheTick) {
+  int inside = 0;
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const auto cut =
+        study::stability::runCut({"thin wall", Wall{findDeviceModel("falcon").value()}, 1500.0,
+                                  seed, true, study::stability::IsovalueWay::ToAndFro},
+                                 study::stability::softBone());
+    inside += cut.inside;
+    EXPECT_EQ(cut.entered, 0);
+    EXPECT_LE(cut.longest_inside, 20);
+  }
+  EXPECT_GT(inside, 0);
+}
+
 // a short form of the study: one job of each kind, twice
 TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
   const Study study = study::stability::stabilityStudy(Depth::Quick);
@@ -378,7 +415,8 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
   for (const Job& job : study.jobs) {
     if (job.name != "press/touch/groove" && job.name != "limit/touch/1 kHz" &&
         job.name != "limit in 6-DOF/touch/1 kHz" && job.name != "hands/turned arm" &&
-        job.name != "hands/slot" && job.name != "failures/saturation")
+        job.name != "hands/slot" && job.name != "failures/saturation" &&
+        job.name != "cuts/falcon/edge")
       continue;
     ++jobs;
     const Outcome first = job.run(1), second = job.run(1);
@@ -396,7 +434,7 @@ TEST(StabilityStudy, IsTheSameForTheSameSeedAndPasses) {
     for (const study::Table& table : first.tables)
       for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.head.size());
   }
-  EXPECT_EQ(jobs, 6);
+  EXPECT_EQ(jobs, 7);
 }
 
 }  // namespace
