@@ -42,7 +42,7 @@ SharedScene sceneWith(const std::string& stage, unsigned seed) {
                  toolOf(datasets::ballPoints(300, kBurrRadius)));
 }
 
-/// Set 60 times a second, as by a slider; rises by 200 in two seconds, or goes 150 to either side
+/// Set 60 times a second, as by a slider; rises by 200 in two seconds, or goes 300 to either side
 /// once a second.
 double isovalueAt(IsovalueWay way, double time) {
   const double t = std::floor(60.0 * std::max(0.0, time)) / 60.0;
@@ -50,7 +50,7 @@ double isovalueAt(IsovalueWay way, double time) {
     case IsovalueWay::Rising:
       return kCutIsovalue + std::min(200.0, 100.0 * t);
     case IsovalueWay::ToAndFro:
-      return kCutIsovalue + 150.0 * std::sin(2.0 * std::numbers::pi * t);
+      return kCutIsovalue + 300.0 * std::sin(2.0 * std::numbers::pi * t);
     default:
       return kCutIsovalue;
   }

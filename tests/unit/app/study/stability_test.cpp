@@ -392,19 +392,14 @@ TEST(Cuts, LeaveTheToolOutsideAndAreThoseThatWereTold) {
   }
 }
 
-// a wall that grows over the tool is seen: the isovalue falls while it cuts
+// what grows over the tool as the isovalue falls is seen, and is over soon
 TEST(Cuts, AreJudgedAtTheIsovalueOfTheTick) {
-  int inside = 0;
-  for (const unsigned seed : {1u, 2u, 3u}) {
-    const auto cut =
-        study::stability::runCut({"thin wall", Wall{findDeviceModel("falcon").value()}, 1500.0,
-                                  seed, true, study::stability::IsovalueWay::ToAndFro},
-                                 study::stability::softBone());
-    inside += cut.inside;
-    EXPECT_EQ(cut.entered, 0);
-    EXPECT_LE(cut.longest_inside, 20);
-  }
-  EXPECT_GT(inside, 0);
+  const study::stability::CutWay way{"plate", Wall{findDeviceModel("falcon").value()}, 20'000.0, 3,
+                                     false,   study::stability::IsovalueWay::ToAndFro};
+  const auto cut = study::stability::runCut(way, study::stability::softBone());
+  EXPECT_GT(cut.inside, 0);
+  EXPECT_EQ(cut.entered, 0);
+  EXPECT_LE(cut.longest_inside, 20);
 }
 
 // a short form of the study: one job of each kind, twice
