@@ -9,14 +9,10 @@
 
 #include "app/study/accuracy/work_precision.h"
 #include "app/study/comparison/measures.h"
-#include "app/study/comparison/scenes.h"
-#include "app/study/reference/evaluator.h"
 #include "app/study/reference/solid.h"
 #include "datasets/phantoms/making.h"
 #include "datasets/phantoms/sampling.h"
 #include "haptics/core/budget.h"
-#include "haptics/servo/servo_tick.h"
-#include "haptics/servo/step.h"
 
 namespace study::accuracy {
 namespace {

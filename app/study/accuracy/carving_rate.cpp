@@ -8,7 +8,6 @@
 #include "app/study/comparison/scenes.h"
 #include "app/study/reference/evaluator.h"
 #include "datasets/phantoms/making.h"
-#include "datasets/phantoms/sampling.h"
 #include "haptics/servo/servo_tick.h"
 #include "haptics/servo/step.h"
 
