@@ -222,11 +222,13 @@ struct MillingMouse {
     touched = cutting->scene();
     session.cut(std::move(cutting));
   }
-  /// Goes on until it is so, at display rate, and takes the cuts.
+  /// Goes on until it is so, at display rate, and takes the cuts. A busy machine's loop is at fault:
+  /// it is armed again, and cuts once the key was let go.
   bool until(const std::function<bool()>& holds, bool key) {
     for (int n = 0; n < 2000; ++n) {
       session.collectGarbage();
-      session.holdCut(key);
+      session.arm();
+      session.holdCut(key && n % 100 != 99);
       session.latest(snapshot);
       std::array<haptics::BurrCut, 64> some;
       while (const std::size_t count = session.cuts(some))

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/support/dicom_bytes.h"
@@ -42,10 +43,12 @@ class MadeScans {
       const int i = n % 40 - 20, j = n / 40 % 40 - 20, k = n / 1600 - 20;
       voxels += datasets::testing::number(i * i + j * j + k * k < 150 ? 900 : 100, 2);
     }
-    write("nrrd_oddities/derived_from_tooth/raw_le.nrrd",
-          "NRRD0004\ntype: ushort\ndimension: 3\nsizes: 40 40 40\nspacings: 1 1 1\n"
-          "endian: little\nencoding: raw\n\n" +
-              voxels);
+    // the same voxels on two grids
+    for (const auto& [name, spacings] :
+         {std::pair{"raw_le.nrrd", "1 1 1"}, std::pair{"ascii.nrrd", "1 1 1.5"}})
+      write(std::string("nrrd_oddities/derived_from_tooth/") + name,
+            std::string("NRRD0004\ntype: ushort\ndimension: 3\nsizes: 40 40 40\nspacings: ") +
+                spacings + "\nendian: little\nencoding: raw\n\n" + voxels);
   }
 
   const std::filesystem::path& folder() const { return scratch_.folder(); }

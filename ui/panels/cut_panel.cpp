@@ -26,6 +26,12 @@ constexpr int kInRow = 4;           // burrs
 constexpr int kMostBands = 3;
 constexpr int kLeast = 40;  // px: four stand in the narrowest panel
 
+/// So many that a hundredth of the range is told.
+int decimalsBetween(double least, double greatest) {
+  const double range = greatest - least;
+  return range >= 100.0 ? 0 : range >= 1.0 ? 2 : 4;
+}
+
 QString shown(double mm3) { return QLocale().toString(mm3, 'f', mm3 < 100.0 ? 1 : 0); }
 
 }  // namespace
@@ -124,7 +130,8 @@ void CutPanel::addBand() {
                           .accessible = tr("From this value of the scan on"),
                           .least = least_,
                           .most = greatest_,
-                          .step = 50.0,
+                          .step = 0.02 * (greatest_ - least_),
+                          .decimals = decimalsBetween(least_, greatest_),
                           .suffix = unit_});
   auto* energy = numberBox({.name = "bandEnergy",
                             .accessible = tr("Energy that a cubic millimetre takes"),
@@ -139,7 +146,7 @@ void CutPanel::addBand() {
   remove->setToolTip(tr("Removes this material"));
   remove->setAccessibleName(tr("Remove this material"));
   from->setToolTip(tr("Where the scan has this value or more"));
-  from->setValue(std::round(0.5 * (least_ + greatest_)));
+  from->setValue(0.5 * (least_ + greatest_));
   energy->setValue(energy_->value());
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(0, 0, 0, 0);
@@ -169,6 +176,7 @@ void CutPanel::setValues(double least, double greatest, const QString& unit) {
   unit_ = unit.isEmpty() ? QString{} : QStringLiteral(" ") + unit;
   for (const BandRow& band : bands_) {
     const QSignalBlocker quiet(band.from);
+    band.from->setDecimals(decimalsBetween(least_, greatest_));
     band.from->setRange(least_, greatest_);
     band.from->setSuffix(unit_);
   }

@@ -356,6 +356,7 @@ void StructuresController::take(Read read) {
          .own_name = names_known});
   }
   log::write(log::Level::Info, "structures-opened", {{"structures", shown_.looks.size()}});
+  show();
   showCutting();
   panels_.reveal(panel_);
   QStringList notes;
@@ -461,6 +462,7 @@ void StructuresController::chooseCutting(int number, const ui::StructureCutting&
 
 void StructuresController::showCutting() {
   if (!shared_.shown || !labels_ || tissue_maker_.isRunning()) return;
+  const std::vector<ui::StructureLook> before = shown_.looks;
   for (ui::StructureLook& look : shown_.looks)
     look.cutting.kind = ui::StructureCutting::Kind::ByValue;
   if (const datasets::TissueTable* table = datasets::tissuesIn(*shared_.shown->volume()))
@@ -477,7 +479,7 @@ void StructuresController::showCutting() {
       cutting.kind = ui::StructureCutting::Kind::Energy;
       cutting.energy_J_mm3 = part.energy / kMm3PerM3;
     }
-  show();
+  if (shown_.looks != before) show();
 }
 
 void StructuresController::makeDistances() {

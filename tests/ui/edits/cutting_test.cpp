@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 #include <QTableWidget>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -18,6 +19,7 @@
 #include <optional>
 #include <variant>
 
+#include "app/recording/cut_words.h"
 #include "app/recording/recording.h"
 #include "app/recording/replay.h"
 #include "app/window/edits/edit_controller.h"
@@ -30,6 +32,7 @@
 #include "tests/ui/edits/editing.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/window_support.h"
+#include "ui/controls/number_box.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/views/volume_view.h"
@@ -313,6 +316,15 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   openWithBurr();
   ASSERT_FALSE(HasFatalFailure());
   const auto scan = application_->shown()->volume();
+  // a material from a value on, and one that is removed again
+  child("addBand").click();
+  child("addBand").click();
+  window().findChildren<QToolButton*>("removeBand").front()->click();
+  ASSERT_TRUE(
+      waitFor([&] { return window().findChildren<QToolButton*>("removeBand").size() == 1; }));
+  child<ui::NumberBox>("bandFrom").setValue(90.0);
+  child<ui::NumberBox>("bandEnergy").setValue(1.5);
+  ASSERT_TRUE(isReady());
   cut(-6.0, 9.0);
   ASSERT_FALSE(HasFatalFailure());
   const auto scene = application_->shown()->scene->id;
@@ -343,6 +355,17 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   ASSERT_TRUE(recording);
   EXPECT_EQ(recording->lostCount(), 0);
   EXPECT_EQ(recording->scenes().size(), 2U);
+  int laws = 0;
+  for (const app::RecordedEvent& event : recording->events()) {
+    if (event.kind != app::kCutLawEvent) continue;
+    ++laws;
+    const auto law = app::lawFrom(event.text);
+    ASSERT_TRUE(law);
+    ASSERT_EQ(law->material.count, 2U);
+    EXPECT_EQ(law->material.bands[1].from, 90.0);
+    EXPECT_EQ(law->material.bands[1].energy, 1.5e9);
+  }
+  EXPECT_GE(laws, 2);
   const auto difference = app::replay(
       *recording,
       [&](std::uint32_t id) -> std::shared_ptr<const haptics::Scene> {

