@@ -420,6 +420,8 @@ TEST_F(Structures, ADropShowsThemAndAsksWhereTheFileDoesNotTell) {
   answerNext("scan");
   emit window().dropped({path("plain.nrrd")});
   EXPECT_TRUE(waitFor([&] { return scans.count() == 1; }));
+  // it is on view: before, what is dropped is sorted by the scan that goes
+  EXPECT_TRUE(waitFor([&] { return structures().labels() == nullptr; }));
   // another grid is another scan
   write<std::int16_t>(path("other.nrrd"), gridOf({30, 30, 30}, 1e-3, mirrored), "short", "",
                       boneAt);
