@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // palpate-trace SCENE|uncut|burr: ours alone on a short fixed trace with counted work, for
-// instructions.py, which counts its instructions. What comes before the first tick is not counted.
+// instructions.py, which counts its instructions. Nothing before the first tick is counted.
 // "uncut" is a course of the study of plans, "burr" the same with a burr that is not held.
 
 #include <algorithm>

@@ -222,8 +222,8 @@ struct MillingMouse {
     touched = cutting->scene();
     session.cut(std::move(cutting));
   }
-  /// Goes on until it is so, at display rate, and takes the cuts. A busy machine's loop is at fault:
-  /// it is armed again, and cuts once the key was let go.
+  /// Goes on until it is so, at display rate, and takes the cuts. A busy machine's loop is at
+  /// fault: it is armed again, and cuts once the key was let go.
   bool until(const std::function<bool()>& holds, bool key) {
     for (int n = 0; n < 2000; ++n) {
       session.collectGarbage();

@@ -121,7 +121,7 @@ struct Block {
   Volume after;
 };
 
-/// What of a wall is wrong.
+/// Errors of a wall.
 struct WallErrors {
   std::vector<double> place;   ///< voxels, outwards
   std::vector<double> normal;  ///< degrees
