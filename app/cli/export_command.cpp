@@ -125,7 +125,7 @@ Outcome run(ExportCommand command) {
   if (exported->removed_voxels) outcome.json["removed_voxels"] = *exported->removed_voxels;
   if (exported->cuts_without_voxels > 0)
     tell(
-        "Which voxels the cuts removed is left out: it needs the volume that was touched, by "
+        "The voxels that the cuts removed are left out: they need the volume that was touched, by "
         "--volume or --phantom.");
   outcome.aside = isStandardOutput(command.out);
   return outcome;

@@ -190,7 +190,7 @@ Outcome makeReport(const ReportOptions& options) {
   std::vector<std::vector<double>> margins;
   for (const report::Structure& structure : all.structures) margins.push_back(structure.margins);
   for (Recording& recording : recordings) {
-    auto session = report::sessionOf(recording, **watch, given, margins,
+    auto session = report::sessionOf(recording, **watch, given, hash, margins,
                                      [](double) { return !interrupted(); });
     if (!session) return refused(session.error());
     if (session->differing > 0)

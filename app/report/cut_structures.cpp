@@ -32,10 +32,12 @@ bool belongs(const haptics::DistanceMap& map, const Vec3& p_W) {
 }
 
 CutStructures::CutStructures(const Recording& recording, const haptics::Watch& watch,
-                             std::shared_ptr<const haptics::Volume> scan)
+                             std::shared_ptr<const haptics::Volume> scan,
+                             const std::optional<VolumeHash>& hash)
     : recording_{recording},
       watch_{watch},
       scan_{std::move(scan)},
+      hash_{hash},
       taken_(watch.structures.size()) {
   if (recording.isCut() && scan_->voxels == nullptr) std::ranges::fill(taken_, Taken{kNone, kNone});
 }
@@ -44,7 +46,7 @@ haptics::Expected<void> CutStructures::add(const haptics::Step& step) {
   if (!step.cut || scan_->voxels == nullptr || taken_.empty()) return {};
   if (step.scene != scene_) {
     const RecordedScene* then = recording_.scene(step.scene);
-    if (then == nullptr || !liesLike(then->volume, *scan_)) return {};
+    if (then == nullptr || !isOf(*then, *scan_, hash_)) return {};
     endScene();
     auto volume = touchedAsRecorded(scan_, *then, &watch_);
     if (!volume) return tl::unexpected(volume.error());

@@ -20,8 +20,9 @@ namespace app::report {
 class CutStructures {
  public:
   /// All of them must outlive it. A scan without voxels: of a recording with cuts nothing is known.
+  /// `hash`: of the scan, if known. What was cut of another scan does not count.
   CutStructures(const Recording& recording, const haptics::Watch& watch,
-                std::shared_ptr<const haptics::Volume> scan);
+                std::shared_ptr<const haptics::Volume> scan, const std::optional<VolumeHash>& hash);
 
   /// Steps in order of time. Refuses what touchedAsRecorded() refuses.
   haptics::Expected<void> add(const haptics::Step& step);
@@ -43,6 +44,7 @@ class CutStructures {
   const Recording& recording_;
   const haptics::Watch& watch_;
   std::shared_ptr<const haptics::Volume> scan_;
+  std::optional<VolumeHash> hash_;
   std::uint32_t scene_ = 0;
   std::optional<CarvedCopy> copy_;                 ///< of the last scene with a cut
   std::shared_ptr<const haptics::Volume> before_;  ///< the first one; null: nothing was cut

@@ -101,6 +101,7 @@ void Curve::add(double time, double value) {
 
 haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch& watch,
                                      const std::shared_ptr<const haptics::Volume>& scan,
+                                     const std::optional<VolumeHash>& hash,
                                      const std::vector<std::vector<double>>& margins,
                                      const std::function<bool(double)>& goes_on) {
   const std::size_t count = watch.structures.size();
@@ -117,7 +118,7 @@ haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch&
     structures.push_back({margins[n], watch.structures[n].distances.told()});
   Tally tally{std::move(structures)};
   Ticks ticks{recording, watch, *scan};
-  CutStructures cut{recording, watch, scan};
+  CutStructures cut{recording, watch, scan, hash};
   haptics::Expected<void> carved;
   if (auto read = ticks.readGuards(recording); !read) return tl::unexpected(read.error());
   session.guarded = ticks.everGuarded();

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,12 +80,13 @@ struct Session {
 };
 
 /// Reads a session. `scan`: may have no voxels; then nothing is known of what was cut of
-/// structures. `margins`: of each structure of the watch [m]. `goes_on`: gets the fraction
-/// that is done; if it returns false, the reason is "cancelled". Refuses what Recording refuses,
-/// and
+/// structures. `hash`: of the scan, if known. `margins`: of each structure of the watch [m].
+/// `goes_on`: gets the fraction that is done; if it returns false, the reason is "cancelled".
+/// Refuses what Recording refuses, and
 /// ("no-structures") a recording in which structures were felt that the watch lacks.
 haptics::Expected<Session> sessionOf(Recording& recording, const haptics::Watch& watch,
                                      const std::shared_ptr<const haptics::Volume>& scan,
+                                     const std::optional<VolumeHash>& hash,
                                      const std::vector<std::vector<double>>& margins,
                                      const std::function<bool(double)>& goes_on);
 

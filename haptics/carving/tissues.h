@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -39,14 +40,16 @@ class Tissues {
     const auto at = static_cast<std::size_t>(k * rows_ + j);
     return std::span{runs_}.subspan(begins_[at], begins_[at + 1] - begins_[at]);
   }
-  /// Whether voxels of a box may not be cut: true also where there could be some.
+  /// Whether voxels of a box may not be cut: true also where some lie beside it, within a block.
   bool mayKeep(const VoxelBox& box) const HAPTICS_RT;
 
  private:
   std::int64_t rows_ = 0;            ///< of a slice
   std::vector<std::size_t> begins_;  ///< of each row in `runs_`, and their end
   std::vector<Run> runs_;
-  VoxelBox kept_;  ///< holds what may not be cut
+  static constexpr std::int64_t kBlock = 8;  ///< voxels
+  std::array<std::int64_t, 3> blocks_{};     ///< their count along each axis
+  std::vector<bool> kept_;                   ///< of each block: it has voxels that may not be cut
 };
 
 }  // namespace haptics

@@ -2249,8 +2249,8 @@
         <translation>Für diesen Export ist nicht genug Speicher frei; wählen Sie eine kürzere Zeit.</translation>
     </message>
     <message>
-        <source>Which voxels were cut is left out: that needs their scan on view.</source>
-        <translation>Welche Voxel geschnitten wurden, fehlt darin: dazu muss ihre Aufnahme zu sehen sein.</translation>
+        <source>The voxels that were cut are left out: they need their scan on view.</source>
+        <translation>Die geschnittenen Voxel fehlen: Dafür muss ihre Aufnahme zu sehen sein.</translation>
     </message>
 </context>
 <context>
@@ -3564,14 +3564,6 @@
     <message>
         <source> /min</source>
         <translation> /min</translation>
-    </message>
-    <message>
-        <source>Energy that a cubic millimetre takes</source>
-        <translation>Energie, die ein Kubikmillimeter braucht</translation>
-    </message>
-    <message>
-        <source> J/mm³</source>
-        <translation> J/mm³</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -5667,6 +5659,17 @@
     <message>
         <source>Distance to %1</source>
         <translation>Abstand zu %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::NumberBox</name>
+    <message>
+        <source>Energy that a cubic millimetre takes</source>
+        <translation>Energie, die ein Kubikmillimeter braucht</translation>
+    </message>
+    <message>
+        <source> J/mm³</source>
+        <translation> J/mm³</translation>
     </message>
 </context>
 <context>
@@ -7919,14 +7922,6 @@
     <message>
         <source>, </source>
         <translation>, </translation>
-    </message>
-    <message>
-        <source>Energy that a cubic millimetre takes</source>
-        <translation>Energie, die ein Kubikmillimeter braucht</translation>
-    </message>
-    <message>
-        <source> J/mm³</source>
-        <translation> J/mm³</translation>
     </message>
     <message>
         <source>How the structure is cut</source>

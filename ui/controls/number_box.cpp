@@ -80,4 +80,14 @@ NumberBox* numberBox(const NumberAsked& asked) {
   return number;
 }
 
+NumberBox* cutEnergyBox(const char* name) {
+  return numberBox({.name = name,
+                    .accessible = NumberBox::tr("Energy that a cubic millimetre takes"),
+                    .least = 0.01,
+                    .most = 100.0,
+                    .step = 0.1,
+                    .decimals = 2,
+                    .suffix = NumberBox::tr(" J/mm³")});
+}
+
 }  // namespace ui

@@ -56,4 +56,7 @@ struct NumberAsked {
 /// A field that takes the room there is.
 NumberBox* numberBox(const NumberAsked& asked);
 
+/// What it takes to cut a material [J/mm³].
+NumberBox* cutEnergyBox(const char* name);
+
 }  // namespace ui

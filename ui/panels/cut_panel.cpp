@@ -16,7 +16,6 @@
 #include "ui/controls/bindings.h"
 #include "ui/controls/hint_label.h"
 #include "ui/controls/number_box.h"
-#include "ui/props/structures.h"
 
 namespace ui {
 namespace {
@@ -49,13 +48,7 @@ CutPanel::CutPanel(QWidget* parent)
                         .most = 100'000.0,
                         .step = 1'000.0,
                         .suffix = tr(" /min")})),
-      energy_(numberBox({.name = "burrEnergy",
-                         .accessible = tr("Energy that a cubic millimetre takes"),
-                         .least = kLeastCutEnergy,
-                         .most = kMostCutEnergy,
-                         .step = 0.1,
-                         .decimals = 2,
-                         .suffix = tr(" J/mm³")})),
+      energy_(cutEnergyBox("burrEnergy")),
       add_band_(new QPushButton(tr("Add a material"))),
       undo_(new QPushButton(tr("Undo"))),
       redo_(new QPushButton(tr("Redo"))),
@@ -133,13 +126,7 @@ void CutPanel::addBand() {
                           .step = 0.02 * (greatest_ - least_),
                           .decimals = decimalsBetween(least_, greatest_),
                           .suffix = unit_});
-  auto* energy = numberBox({.name = "bandEnergy",
-                            .accessible = tr("Energy that a cubic millimetre takes"),
-                            .least = kLeastCutEnergy,
-                            .most = kMostCutEnergy,
-                            .step = 0.1,
-                            .decimals = 2,
-                            .suffix = tr(" J/mm³")});
+  auto* energy = cutEnergyBox("bandEnergy");
   auto* remove = new QToolButton;
   remove->setObjectName("removeBand");
   remove->setText(QStringLiteral("×"));

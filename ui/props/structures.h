@@ -46,7 +46,6 @@ struct StructureCutting {
 
   bool operator==(const StructureCutting&) const = default;
 };
-inline constexpr double kLeastCutEnergy = 0.01, kMostCutEnergy = 100.0;  ///< J/mm3
 
 /// How a structure is seen, felt and cut. Its name is plain text, for the screen alone.
 struct StructureLook {

@@ -84,7 +84,8 @@ class EditController : public QObject {
   void stepsChanged(bool undo, bool redo);
   /// An edited volume was written, or not. `what`: why not, for the user; empty: cancelled.
   void saved(bool well, const QString& what);
-  /// What was done, for a recording: the edit as text, or "undo", "redo", "reset", "restore".
+  /// What was done, for a recording: the edit as text (of long ones their kind), or "undo", "redo",
+  /// …
   void noted(const QString& text);
   /// The tool shall leave the surface, since an edit waits for it.
   void liftWanted();

@@ -71,7 +71,7 @@ class EditQueue : public QObject {
   void renewed(const app::Loaded& loaded);
   /// The picture of the newest volume. `seen`: its voxels are on view already.
   void pictured(const ui::Picture& picture, bool seen);
-  /// What was done: the edit as text, or "undo", "redo", "reset", "restore".
+  /// What was done: the edit as text (of long ones their kind), or "undo", "redo", …
   void noted(const QString& text);
   /// What waits for the tool, as a sentence; empty: nothing does.
   void waitChanged(const QString& words);

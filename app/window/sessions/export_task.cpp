@@ -76,7 +76,7 @@ haptics::Expected<QString> table(Recording& recording, const ExportRequest& requ
   if (!made) return tl::unexpected(made.error());
   if (made->cuts_without_voxels == 0) return told(request.out);
   return told(request.out) + ' ' +
-         ExportTask::tr("Which voxels were cut is left out: that needs their scan on view.");
+         ExportTask::tr("The voxels that were cut are left out: they need their scan on view.");
 }
 
 haptics::Expected<QString> exported(const ExportRequest& request, const background::Watch& watch) {

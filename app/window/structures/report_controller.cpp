@@ -133,7 +133,7 @@ void ReportController::reportTo(const QString& id, const std::filesystem::path& 
           margins.push_back(std::move(m));
           over.structures.push_back({structure, std::move(*map)});
         }
-        auto session = report::sessionOf(*recording, over, scan, margins, [&](double done) {
+        auto session = report::sessionOf(*recording, over, scan, hash, margins, [&](double done) {
           watch.advanced(done);
           return !watch.cancelled();
         });

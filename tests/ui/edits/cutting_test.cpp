@@ -429,9 +429,10 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   constexpr std::size_t kHdf5 = 2;
   EXPECT_EQ(exported(kHdf5, "with.h5", true), "\"with.h5\" was exported.");
   EXPECT_TRUE(holdsVoxels("with.h5"));
-  EXPECT_EQ(exported(kHdf5, "without.h5", false),
-            "\"without.h5\" was exported. Which voxels were cut is left out: that needs their scan "
-            "on view.");
+  EXPECT_EQ(
+      exported(kHdf5, "without.h5", false),
+      "\"without.h5\" was exported. The voxels that were cut are left out: they need their scan "
+      "on view.");
   EXPECT_FALSE(holdsVoxels("without.h5"));
   if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) GTEST_SKIP() << "ffmpeg is not there";
   EXPECT_EQ(exported(std::nullopt, "film.mp4", true), "\"film.mp4\" was exported.");

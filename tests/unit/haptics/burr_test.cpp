@@ -348,4 +348,34 @@ TEST(Tissues, AreKeptToTheVoxelAndCountedByTheirEnergy) {
   EXPECT_GT(known, made::trials(1000));
 }
 
+TEST(Tissues, AreFoundInEveryBoxThatHasThem) {
+  Random random{53};
+  int found = 0, none = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Grid grid{.dims = {std::int64_t(random.below(40)) + 1, std::int64_t(random.below(40)) + 1,
+                             std::int64_t(random.below(40)) + 1}};
+    haptics::VoxelBox box;
+    std::int32_t at[3];
+    bool within = true, far = false;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const int dim = int(grid.dims[a]);
+      at[a] = random.below(dim);
+      box.first[a] = random.below(dim);
+      box.end[a] = box.first[a] + 1 + random.below(dim - int(box.first[a]));
+      within = within && at[a] >= box.first[a] && at[a] < box.end[a];
+      far = far || at[a] < box.first[a] - 8 || at[a] >= box.end[a] + 8;
+    }
+    const std::vector<haptics::VoxelRun> runs{{at[0], at[1], at[2], 1}};
+    const haptics::Tissues::Part never{runs, haptics::Tissues::kNever}, soft{runs, 1e8};
+    const haptics::Tissues tissues{grid, std::span{&never, 1}};
+    EXPECT_TRUE(!within || tissues.mayKeep(box)) << n;
+    EXPECT_TRUE(!far || !tissues.mayKeep(box)) << n;
+    EXPECT_FALSE(haptics::Tissues(grid, std::span{&soft, 1}).mayKeep(box));
+    found += within;
+    none += far;
+  }
+  EXPECT_GT(found, 50);
+  EXPECT_GT(none, 50);
+}
+
 }  // namespace

@@ -99,12 +99,12 @@ TEST(RehearsalReport, KnowsAnotherLabelMapByTheRecordedDistances) {
                                      }});
     auto recording = Recording::open(scratch / "r.palpate");
     ASSERT_TRUE(recording) << sentence(recording.error());
-    const auto same = sessionOf(*recording, watch, touched->volume, {{}, {}}, kGoOn);
+    const auto same = sessionOf(*recording, watch, touched->volume, {}, {{}, {}}, kGoOn);
     ASSERT_TRUE(same) << sentence(same.error());
     EXPECT_EQ(same->compared, 4000);
     EXPECT_EQ(same->differing, 0);
     const Watch other = halves(touched->volume->grid, true);
-    EXPECT_GT(sessionOf(*recording, other, touched->volume, {{}, {}}, kGoOn)->differing, 200);
+    EXPECT_GT(sessionOf(*recording, other, touched->volume, {}, {{}, {}}, kGoOn)->differing, 200);
   }
 }
 
@@ -117,7 +117,7 @@ TEST(RehearsalReport, StepsOverAnotherScanAreNotKnown) {
   other.grid.origin.x() += 1e-3;
   const Watch watch = halves(touched->volume->grid);
   const auto session =
-      sessionOf(*recording, watch, std::make_shared<const Volume>(other), {{}, {}}, kGoOn);
+      sessionOf(*recording, watch, std::make_shared<const Volume>(other), {}, {{}, {}}, kGoOn);
   ASSERT_TRUE(session);
   EXPECT_GT(session->figures.time, 0.4);
   EXPECT_NEAR(session->figures.unknown, session->figures.time, 1e-9);
@@ -132,7 +132,7 @@ TEST(RehearsalReport, EndsWhenItIsToldTo) {
   auto recording = Recording::open(scratch / "r.palpate");
   const Watch watch = halves(touched->volume->grid);
   const auto session =
-      sessionOf(*recording, watch, touched->volume, {{}, {}}, [](double) { return false; });
+      sessionOf(*recording, watch, touched->volume, {}, {{}, {}}, [](double) { return false; });
   ASSERT_FALSE(session);
   EXPECT_EQ(session.error().reason, "cancelled");
 }
@@ -148,7 +148,7 @@ TEST(RehearsalReport, SaysTheSameInThreeFormats) {
                        {7, {}, 0.0005, 0.020, {0.002}}};
   for (int n = 0; n < 2; ++n)
     report.sessions.push_back(
-        *sessionOf(*recording, watch, touched->volume, {{0.001, 0.0025}, {0.002}}, kGoOn));
+        *sessionOf(*recording, watch, touched->volume, {}, {{0.001, 0.0025}, {0.002}}, kGoOn));
   report.sessions[1].guarded[0] = true;
   const auto json = jsonOf(report);
   const std::string csv = csvOf(report), html = htmlOf(report);
