@@ -67,6 +67,7 @@ struct RunOptions {
   bool cut = false;
   double burr_speed_rpm = 60'000.0;
   double burr_energy = 1.0;               ///< J/mm3
+  double burr_vibration = 0.0;            ///< of the normal force
   std::vector<std::string> bands = {};    ///< "700=2": from a value on, J/mm3
   std::vector<std::string> tissues = {};  ///< "3=0.2", "1=never": of a structure
   std::string save_volume = {};
@@ -310,6 +311,7 @@ nlohmann::ordered_json settingsOf(const RunOptions& options, const haptics::Scen
     json["burr_speed_rpm"] = options.burr_speed_rpm;
     json["burr_share"] = law.share;
     json["burr_energy_J_mm3"] = options.burr_energy;
+    json["burr_vibration"] = options.burr_vibration;
     if (!options.bands.empty()) json["burr_bands"] = options.bands;
     if (!options.tissues.empty()) json["tissues"] = options.tissues;
   }
@@ -467,6 +469,7 @@ Outcome run(const RunOptions& options) {
     loop.cut.emplace();
     loop.cut->burr = *burr;
     loop.cut->speed = options.burr_speed_rpm * 2.0 * std::numbers::pi / 60.0;
+    loop.cut->vibration = options.burr_vibration;
     auto material = materialFrom(options.burr_energy, options.bands);
     if (!material) return refused(material.error());
     loop.cut->material = *material;
@@ -671,6 +674,12 @@ void addRun(CLI::App& program, Chosen& chosen) {
       ->capture_default_str();
   command->add_option("--burr-energy", options->burr_energy, "What removing a volume takes [J/mm3]")
       ->check(finiteNumber() & CLI::Range(0.001, 1000.0))
+      ->needs(cut)
+      ->capture_default_str();
+  command
+      ->add_option("--burr-vibration", options->burr_vibration,
+                   "Amplitude of its vibration over the normal force; 0: none")
+      ->check(finiteNumber() & CLI::Range(0.0, 1.0))
       ->needs(cut)
       ->capture_default_str();
   command

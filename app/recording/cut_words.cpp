@@ -35,6 +35,7 @@ std::string wordsOf(const haptics::CutLaw& law) {
                       {"radius", law.burr.radius},
                       {"speed", law.speed},
                       {"share", law.share},
+                      {"vibration", law.vibration},
                       {"material", bands}}
       .dump();
 }
@@ -66,6 +67,12 @@ haptics::Expected<haptics::CutLaw> lawFrom(const std::string& words) {
   law.burr.radius = *radius;
   law.speed = *speed;
   law.share = *share;
+  // recordings of before it was known do not say it
+  if (said.contains("vibration")) {
+    const auto vibration = numberIn(said, "vibration", 0.0, 1.0);
+    if (!vibration) return damaged();
+    law.vibration = *vibration;
+  }
   law.material.count = bands.size();
   for (std::size_t n = 0; n < bands.size(); ++n) {
     if (!bands[n].is_object()) return damaged();

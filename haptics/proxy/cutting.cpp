@@ -18,15 +18,23 @@ constexpr double kMostOwed = 1.0;
 // Of what is owed, by which the stand-off grows in a tick.
 constexpr double kLearning = 0.05;
 constexpr double kOnBurr = 2e-6;      // m: a shell's point so far beyond the ball is not on it
-constexpr double kSmoothing = 0.005;  // s, of the device's velocity and of the drag
-constexpr double kNoDrag = 1e-9;      // N
+constexpr double kSmoothing = 0.005;  // s, of the device's velocity, the drag, the vibration
+constexpr double kNoForce = 1e-9;     // N
 constexpr double kFullDrag = 0.1;     // m/s along the surface from which the drag is whole
+constexpr double kMostFelt = 250.0;   // Hz: of a vibration
+constexpr double kOfRate = 0.25;      // of the rate of ticks: the highest that they render
 
 }  // namespace
 
 Burr ballAtTip(const PointShell& shell, double radius) {
   const Vec3 end = *std::ranges::min_element(shell.points, {}, [](const Vec3& p) { return p.z(); });
   return {{-shell.origin.x(), -shell.origin.y(), end.z() + radius}, radius};
+}
+
+double vibrationFrequency(double speed, double period) HAPTICS_RT {
+  const double passing = kBurrTeeth * speed / (2.0 * std::numbers::pi);
+  const double most = std::min(kMostFelt, kOfRate / period);
+  return passing / std::max(1.0, std::ceil(passing / most));
 }
 
 void Cutting::lookAhead() {
@@ -39,13 +47,14 @@ void Cutting::forget() HAPTICS_RT {
   removed_ = {};
   owed_ = standoff_ = 0.0;
   last_W_.reset();
-  forgetDrag();
+  forgetHand();
 }
 
-void Cutting::forgetDrag() HAPTICS_RT {
+void Cutting::forgetHand() HAPTICS_RT {
   burr_WD_.reset();
   velocity_W_.setZero();
   drag_W_.setZero();
+  shake_ = passed_ = 0.0;
 }
 
 void Cutting::make(const BurrCut& cut) {
@@ -110,6 +119,20 @@ Vec3 Cutting::dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPT
   return drag_W_;
 }
 
+Vec3 Cutting::vibrationFor(const Vec3& press_W, double period) HAPTICS_RT {
+  const double force = press_W.norm();
+  if (!(force > 0.0)) {
+    shake_ = passed_ = 0.0;
+    return Vec3::Zero();
+  }
+  const double wanted = std::min(law_.vibration * force, kMostVibration);
+  shake_ += period / (kSmoothing + period) * (wanted - shake_);
+  shake_ = std::min(shake_, force);  // smoothed, it must not pull when the push grows less
+  passed_ += vibrationFrequency(law_.speed, period) * period;
+  passed_ -= std::floor(passed_);
+  return shake_ * std::sin(2.0 * std::numbers::pi * passed_) / force * press_W;
+}
+
 Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
                    Budget& budget) HAPTICS_RT {
   begun_.reset();
@@ -121,9 +144,10 @@ Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, d
   const Vec3 press = held && !proxy.recovery.active ? pressOn(proxy) : Vec3::Zero();
   force_ = press.norm();
   // between strokes exactly nothing is left of it: a tick does not tell since when it could cut
-  if (!held && drag_W_.norm() < kNoDrag) forgetDrag();
+  if (!held && drag_W_.norm() < kNoForce) forgetHand();
   const bool drags = held || !drag_W_.isZero(0.0);
-  const Vec3 drag = drags ? dragFor(press, X_WD, period) : Vec3::Zero();
+  Vec3 felt = drags ? dragFor(press, X_WD, period) : Vec3::Zero();
+  if (law_.vibration > 0.0) felt += vibrationFor(press, period);
   if (!held) {
     last_W_.reset();
     owed_ = std::min(owed_, 0.0);
@@ -146,7 +170,7 @@ Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, d
     budget.spend(kRefreshWork);
     carved_->refresh(1);
   }
-  return {.force = drag, .torque = (X_WD.linear() * law_.burr.centre_P).cross(drag)};
+  return {.force = felt, .torque = (X_WD.linear() * law_.burr.centre_P).cross(felt)};
 }
 
 }  // namespace haptics

@@ -24,6 +24,15 @@ struct Burr {
 /// The ball at the lower end of a tool along its axis z.
 Burr ballAtTip(const PointShell& shell, double radius);
 
+/// Teeth of a burr; cutting burrs have some 6 to 12.
+inline constexpr int kBurrTeeth = 8;
+/// N: the greatest amplitude of a burr's vibration.
+inline constexpr double kMostVibration = 0.5;
+/// Hz: what is rendered of the frequency with which the teeth of a burr pass, at `speed` [rad/s]
+/// and a tick of `period` [s]: itself, or its nearest subharmonic of at most 250 Hz, where skin
+/// feels most [Bolanowski 1988], and a quarter of the rate of ticks.
+double vibrationFrequency(double speed, double period) HAPTICS_RT;
+
 /// How a burr removes material: as much in a second as
 ///
 ///   Q = share F speed radius / energy,
@@ -35,6 +44,9 @@ struct CutLaw {
   double speed = 6283.0;  ///< rad/s; a surgical drill turns 10,000 to 80,000 times a minute
   /// Tangential force on the burr over the normal one, some 0.1 to 0.6; 0.3 is a choice.
   double share = 0.3;
+  /// Amplitude of the vibration over the normal force, 0 to 1; 0: none. It is along that force, at
+  /// the frequency with which teeth pass, so it never turns the push into a pull.
+  double vibration = 0.0;
   /// By the scan's value. For cortical bone it is some 0.05 J/mm3 where chips are a tenth of a
   /// millimetre thick, and tens of times more where they are microns thin [Wiggins 1978]; 1 J/mm3
   /// is a choice between them.
@@ -56,8 +68,9 @@ class Cutting {
 
   /// After a tick: goes on with the cut under way, or begins the next while `held`. Returns the
   /// burr's drag on the hand, about the origin of D: up to the law's share of the normal force,
-  /// against the device's motion along the surface. What a turning burr does besides, walk across
-  /// its path, is left out: it would push a hand that did not ask for it.
+  /// against the device's motion along the surface; and its vibration, if the law has one. What a
+  /// turning burr does besides, walk across its path, is left out: it would push a hand that did
+  /// not ask for it.
   Wrench go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, double period,
             Budget& budget) HAPTICS_RT;
 
@@ -78,7 +91,8 @@ class Cutting {
   Vec3 pressOn(const Proxy& proxy) const HAPTICS_RT;
   void begin(const Vec3& press_W, const Vec3& centre_W, double isovalue) HAPTICS_RT;
   Vec3 dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPTICS_RT;
-  void forgetDrag() HAPTICS_RT;
+  Vec3 vibrationFor(const Vec3& press_W, double period) HAPTICS_RT;
+  void forgetHand() HAPTICS_RT;
 
   std::unique_ptr<CarvedScene> carved_;
   std::unique_ptr<PagesAhead> ahead_;  ///< null: pages are copied when they are written
@@ -93,6 +107,8 @@ class Cutting {
   std::optional<Vec3> burr_WD_;     ///< m: of the device's burr, in the last tick
   Vec3 velocity_W_ = Vec3::Zero();  ///< m/s: of the device's burr, smoothed
   Vec3 drag_W_ = Vec3::Zero();      ///< N, smoothed
+  double shake_ = 0.0;              ///< N: the vibration's amplitude, smoothed
+  double passed_ = 0.0;             ///< periods of the vibration since it began, 0 to 1
 };
 
 }  // namespace haptics

@@ -103,6 +103,7 @@ _palpate_cli() {
     "run --rate") mapfile -t COMPREPLY < <(compgen -W "1000 2000 4000" -- "$word"); return ;;
     "run --burr-speed") compopt -o default; return ;;
     "run --burr-energy") compopt -o default; return ;;
+    "run --burr-vibration") compopt -o default; return ;;
     "run --burr-band") compopt -o default; return ;;
     "run --save-volume") compopt -o default; return ;;
     "run --labels") compopt -o default; return ;;
@@ -173,7 +174,7 @@ _palpate_cli() {
     "cohort merge") mapfile -t COMPREPLY < <(compgen -W "-h --help --out --before --isovalue --tool --hand --repetitions --seconds --stiffness --angular-stiffness --friction --field --normals --epsilon --sub-steps --budget --rate --seed --tool-mesh --tool-unit --json" -- "$word") ;;
     "devices") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "tool") mapfile -t COMPREPLY < <(compgen -W "-h --help --points --tool-unit --out --json" -- "$word") ;;
-    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --normals --device --rate --cut --burr-speed --burr-energy --burr-band --save-volume --labels --watch --feel --tissue --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
+    "run") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --isovalue --tool --points --tool-unit --hand --seconds --stiffness --angular-stiffness --friction --epsilon --sub-steps --budget --field --normal --normals --device --rate --cut --burr-speed --burr-energy --burr-vibration --burr-band --save-volume --labels --watch --feel --tissue --trace --record --epoch --open-hash --seed --json" -- "$word") ;;
     "replay") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --labels --watch --json" -- "$word") ;;
     "recover") mapfile -t COMPREPLY < <(compgen -W "-h --help --json" -- "$word") ;;
     "report") mapfile -t COMPREPLY < <(compgen -W "-h --help --volume --phantom --series --correct --largest-part --every --box --labels --watch --margin --name --out --json" -- "$word") ;;

@@ -115,6 +115,7 @@ complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l rate -x -a '1000
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l cut -d 'The tool'\''s burr removes what it is pressed against'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l burr-speed -r -F -d 'Turns of the burr in a minute (1/min)'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l burr-energy -r -F -d 'What removing a volume takes (J/mm3)'
+complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l burr-vibration -r -F -d 'Amplitude of its vibration over the normal force; 0 - none'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l burr-band -r -F -d 'What it takes from a value of the scan on - VALUE=ENERGY (J/mm3); repeat it for more than one, at most 3'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l save-volume -r -F -d 'NRRD to write - what is left'
 complete -c palpate-cli -n '__fish_seen_subcommand_from run' -l labels -r -F -d 'A label map of the scan, as info reads it'

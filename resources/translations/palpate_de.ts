@@ -3669,6 +3669,14 @@
         <source>Structures with an energy of their own: %1.</source>
         <translation>Strukturen mit eigener Energie: %1.</translation>
     </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>The burr&apos;s teeth are felt, by at most half a newton</source>
+        <translation>Die Zähne des Bohrers sind zu spüren, mit höchstens einem halben Newton</translation>
+    </message>
 </context>
 <context>
     <name>ui::DevicePanel</name>

@@ -172,7 +172,8 @@ with tempfile.TemporaryDirectory() as folder:
     def recorded(seconds, rate):
         recording = pathlib.Path(folder, f"cut-{rate}.palpate")
         recording.unlink(missing_ok=True)
-        done, report = cutting("--cut", "--seconds", str(seconds), "--rate", str(rate), "--record", str(recording))
+        done, report = cutting("--cut", "--seconds", str(seconds), "--rate", str(rate), "--burr-vibration", "0.2",
+                               "--record", str(recording))
         assert done.returncode == 0, done
         return recording, report
     for rate in (1000, 4000):
@@ -185,7 +186,8 @@ with tempfile.TemporaryDirectory() as folder:
     waits = [moments.uniform(0.0, 3.0) for _ in range(100)] if os.environ.get("PALPATE_TEST_ALL") else (0.9, 1.4)
     for wait in waits:
         killed = subprocess.Popen([program, "run", "--phantom", "sphere", "--isovalue", "300", "--tool", "burr-4", "--hand",
-                                   "plunge", "--stiffness", "1000", "--cut", "--seconds", "60", "--record",
+                                   "plunge", "--stiffness", "1000", "--cut", "--burr-vibration", "0.2", "--seconds", "60",
+                                   "--record",
                                    part.with_suffix("")], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         until = time_module.monotonic() + 60
         wal = pathlib.Path(f"{part}-wal")
@@ -241,7 +243,8 @@ with tempfile.TemporaryDirectory() as folder:
         assert done.returncode == code and words in done.stderr, (options, done)
     for options, tool, words in ((("--cut",), "probe", "no burr that cuts; choose one of burr-1"),
                                  (("--save-volume", str(left)), "burr-4", "add --cut"),
-                                 (("--burr-speed", "1000"), "burr-4", "--cut")):
+                                 (("--burr-speed", "1000"), "burr-4", "--cut"),
+                                 (("--cut", "--burr-vibration", "1.5"), "burr-4", "--burr-vibration")):
         done, _ = cutting(*options, tool=tool)
         assert done.returncode == 2 and words in done.stderr, (words, done)
 

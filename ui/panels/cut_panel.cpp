@@ -52,6 +52,7 @@ CutPanel::CutPanel(QWidget* parent)
       add_band_(new QPushButton(tr("Add a material"))),
       undo_(new QPushButton(tr("Undo"))),
       redo_(new QPushButton(tr("Redo"))),
+      vibration_(new QCheckBox(tr("Vibration"))),
       tint_(new QCheckBox(tr("Colour what was cut"))) {
   state_->setObjectName("cutState");
   removed_->setObjectName("cutRemoved");
@@ -62,6 +63,8 @@ CutPanel::CutPanel(QWidget* parent)
   burrs_->setExclusive(false);
   undo_->setObjectName("undoStroke");
   redo_->setObjectName("redoStroke");
+  vibration_->setObjectName("cutVibration");
+  vibration_->setToolTip(tr("The burr's teeth are felt, by at most half a newton"));
   tint_->setObjectName("cutTint");
   tint_->setChecked(true);
   tint_->setToolTip(tr("Where the surface is a mesh, faces that a burr has cut stand out"));
@@ -90,11 +93,13 @@ CutPanel::CutPanel(QWidget* parent)
   column->addWidget(tissues_);
   column->addWidget(removed_);
   column->addLayout(steps);
+  column->addWidget(vibration_);
   column->addWidget(tint_);
   for (NumberBox* number : {speed_, energy_})
     connect(number, &NumberBox::valueChanged, this, &CutPanel::numbersChanged);
   connect(undo_, &QPushButton::clicked, this, &CutPanel::undoWanted);
   connect(redo_, &QPushButton::clicked, this, &CutPanel::redoWanted);
+  connect(vibration_, &QCheckBox::toggled, this, &CutPanel::numbersChanged);
   connect(tint_, &QCheckBox::toggled, this, &CutPanel::tintChosen);
   setSteps(false, false);
   show(CutTold{});
@@ -204,7 +209,7 @@ void CutPanel::showTool(const QString& id) {
 }
 
 BurrNumbers CutPanel::numbers() const {
-  BurrNumbers numbers{speed_->value(), energy_->value()};
+  BurrNumbers numbers{speed_->value(), energy_->value(), vibration_->isChecked(), {}};
   for (const BandRow& band : bands_)
     numbers.bands.append({band.from->value(), band.energy->value()});
   return numbers;

@@ -30,6 +30,7 @@ struct BurrBand {
 struct BurrNumbers {
   double speed_rpm = 60'000.0;
   double energy_J_mm3 = 1.0;
+  bool vibrates = false;
   QList<BurrBand> bands = {};  ///< in any order
 };
 
@@ -94,7 +95,7 @@ class CutPanel : public QWidget {
   double least_ = 0.0, greatest_ = 0.0;  ///< values of the scan
   QString unit_;
   QPushButton *undo_, *redo_;
-  QCheckBox* tint_;
+  QCheckBox *vibration_, *tint_;
   State shown_ = State::Preparing;
   double shown_force_ = -1.0;
 };

@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::size_t kCutsAtOnce = 256;
 constexpr double kMm3PerM3 = 1e9;
+constexpr double kVibration = 0.1;  // of the normal force
 
 const resources::NamedTool* burrOf(const ToolSource& tool) {
   const resources::NamedTool* named = tool.file ? nullptr : resources::findNamedTool(tool.name);
@@ -74,6 +75,7 @@ haptics::CutLaw CutController::lawOf(const resources::NamedTool& burr) const {
   const ui::BurrNumbers numbers = panel_->numbers();
   law.burr = haptics::ballAtTip(shared_.shown->scene->tool.shell, 0.5 * burr.tip);
   law.speed = numbers.speed_rpm * 2.0 * std::numbers::pi / 60.0;
+  if (numbers.vibrates) law.vibration = kVibration;
   haptics::Material& material = law.material;
   material.bands[0].energy = numbers.energy_J_mm3 * kMm3PerM3;
   for (const ui::BurrBand& band : numbers.bands)

@@ -325,6 +325,8 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
       waitFor([&] { return window().findChildren<QToolButton*>("removeBand").size() == 1; }));
   child<ui::NumberBox>("bandFrom").setValue(90.0);
   child<ui::NumberBox>("bandEnergy").setValue(1.5);
+  EXPECT_FALSE(child("cutVibration").isChecked());
+  child("cutVibration").click();
   ASSERT_TRUE(isReady());
   cut(-6.0, 9.0);
   ASSERT_FALSE(HasFatalFailure());
@@ -365,6 +367,7 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
     ASSERT_EQ(law->material.count, 2U);
     EXPECT_EQ(law->material.bands[1].from, 90.0);
     EXPECT_EQ(law->material.bands[1].energy, 1.5e9);
+    EXPECT_EQ(law->vibration, 0.1);
   }
   EXPECT_GE(laws, 2);
   const auto difference = app::replay(

@@ -68,12 +68,14 @@ struct Press {
   ScalarType type = ScalarType::Int16;
   double force = 2.0, seconds = 1.0;
   int hz = 1000;
+  haptics::ForceLimits limits = {};
 };
 
 struct Outcome {
   double volume = 0.0, given = 0.0;  ///< m3: removed, and what the law says of the pushes
   double depth = 0.0, radius = 0.0;  ///< m: of the ball that was cut
   double deepest = 0.0;              ///< m: penetration
+  std::vector<double> wanted, sent;  ///< N up, in each tick: before the gate, and behind it
 };
 
 /// Presses the ball into the block by a device that is moved so that the coupling has this force.
@@ -84,7 +86,7 @@ Outcome press(const Press& how, const CutLaw& law) {
   Pose X = Pose::Identity();
   X.translation().z() = kSurface + kRadius + 0.2e-3;
   Proxy proxy{*cutting.scene(), X};
-  Safety safety{{}};
+  Safety safety{how.limits};
   const double period = 1.0 / how.hz;
   Settings settings;
   settings.isovalue = s;
@@ -95,9 +97,11 @@ Outcome press(const Press& how, const CutLaw& law) {
     // as far before the proxy as the force wants
     X_WD.translation() = proxy.X_WP.translation() - Vec3(0.0, 0.0, how.force / settings.stiffness);
     Budget budget = Budget::counted(1'000'000);
-    haptics::servoTick(
+    const auto result = haptics::servoTick(
         {X_WD, settings, StepFlags::kArmed | StepFlags::kCut, nullptr, nullptr, nullptr, &cutting},
         cutting.scene().get(), &proxy, safety, period, budget);
+    outcome.wanted.push_back(result.tick.wrench_W.force.z());
+    outcome.sent.push_back(result.sent_W.force.z());
     outcome.given += law.share * cutting.force() * law.speed * law.burr.radius * period /
                      law.material.energyAt(s);
     outcome.deepest =
@@ -202,6 +206,50 @@ TEST(Cutting, TakesTheSameAtEveryRateAndInEveryType) {
     const Outcome other = press({.type = type}, lawOf());
     EXPECT_NEAR(other.volume / at_1000.volume, 1.0, 0.005) << haptics::nameOf(type);
   }
+}
+
+TEST(Cutting, VibratesAsTeethPassAndNoMoreThanTheGateLets) {
+  using haptics::vibrationFrequency;
+  constexpr double kTurn = 2.0 * M_PI;
+  // teeth pass 200 and 8,000 times in a second; the latter is beyond what is felt or rendered
+  EXPECT_DOUBLE_EQ(vibrationFrequency(25.0 * kTurn, 1e-3), 200.0);
+  EXPECT_DOUBLE_EQ(vibrationFrequency(1000.0 * kTurn, 1e-3), 250.0);
+  EXPECT_DOUBLE_EQ(vibrationFrequency(1000.0 * kTurn, 2.5e-4), 250.0);
+  EXPECT_DOUBLE_EQ(vibrationFrequency(1010.0 * kTurn, 1e-3), 8080.0 / 33.0);
+  EXPECT_DOUBLE_EQ(vibrationFrequency(25.0 * kTurn, 2e-3), 100.0);
+  const haptics::ForceLimits limits = haptics::limitsOf(*haptics::findRating("falcon"));
+  for (const int hz : {1000, 4000})
+    for (const double force : {1.0, 8.0}) {
+      CutLaw law = lawOf();
+      law.speed = 20.0 * kTurn;  // 160 Hz
+      const Press how{.force = force, .seconds = 0.5, .hz = hz, .limits = limits};
+      const Outcome still = press(how, law);
+      law.vibration = 0.25;
+      const Outcome shaken = press(how, law);
+      // the device is led, so the vibration is all that differs
+      EXPECT_EQ(shaken.volume, still.volume);
+      EXPECT_EQ(shaken.depth, still.depth);
+      const double most = std::min(0.25 * force, haptics::kMostVibration);
+      double greatest = 0.0, all = 0.0, cosine = 0.0, sine = 0.0, least = 0.0, step = 0.0;
+      const std::size_t count = shaken.wanted.size();
+      for (std::size_t n = count / 5; n < count; ++n) {
+        const double shake = shaken.wanted[n] - still.wanted[n],
+                     at = kTurn * 160.0 * double(n) / hz;
+        greatest = std::max(greatest, std::abs(shake));
+        all += shake * shake;
+        cosine += shake * std::cos(at);
+        sine += shake * std::sin(at);
+        least = std::min(least, shaken.wanted[n]);
+        step = std::max(step, std::abs(shaken.sent[n] - shaken.sent[n - 1]));
+        EXPECT_LE(std::abs(shaken.sent[n]), limits.force * (1.0 + 1e-12));
+      }
+      EXPECT_LE(greatest, most * 1.01) << force;
+      EXPECT_GE(greatest, most * 0.9) << force;
+      const double of_it = 2.0 * (cosine * cosine + sine * sine) / double(count - count / 5);
+      EXPECT_GT(of_it / all, 0.98) << force << ' ' << hz;
+      EXPECT_GE(least, 0.0);
+      EXPECT_LE(step, limits.force / (limits.rise_time * hz) * (1.0 + 1e-12));
+    }
 }
 
 TEST(Cutting, DoesNotCutWithTheShaft) {
