@@ -21,6 +21,7 @@
 
 #include "app/display.h"
 #include "app/film/slices.h"
+#include "datasets/edits/edited.h"
 #include "ui/props/held_pass.h"
 #include "ui/props/letters.h"
 #include "ui/props/tool_prop.h"
@@ -213,7 +214,8 @@ void FilmStage::show(const std::shared_ptr<const haptics::Volume>& volume) {
 void FilmStage::showLive(const haptics::Volume& voxels) {
   Layers& s = *layers_;
   const auto& derivation = s.volume->derivation;
-  s.surface.showLive(voxels, derivation ? derivation->scan : s.volume);
+  s.surface.showLive(voxels, derivation ? derivation->scan : s.volume,
+                     datasets::boxesOfStrokes(*s.volume));
   if (s.slices) s.slices->showLive(voxels);
   s.redrawSurface();
 }

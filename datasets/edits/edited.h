@@ -26,6 +26,9 @@ inline const Edited* editedOf(const haptics::Volume& volume) {
   return dynamic_cast<const Edited*>(volume.derivation.get());
 }
 
+/// Boxes that hold all voxels that strokes took away from a volume's scan.
+std::vector<haptics::VoxelBox> boxesOfStrokes(const haptics::Volume& volume);
+
 /// What it takes to cut structures of a volume; null: what its values say.
 inline const TissueTable* tissuesIn(const haptics::Volume& volume) {
   const Edited* edited = editedOf(volume);

@@ -2,8 +2,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "datasets/edits/edited.h"
 #include "datasets/edits/operators.h"
+#include "haptics/carving/burr.h"
 
 namespace datasets {
 namespace {
@@ -44,7 +48,31 @@ class ReachedRows {
   std::int64_t across_;
 };
 
+constexpr std::int64_t kLongestBox = 64;  // voxels: a longer way has more than one
+
 }  // namespace
+
+std::vector<haptics::VoxelBox> boxesOfStrokes(const haptics::Volume& volume) {
+  std::vector<haptics::VoxelBox> boxes;
+  const Edited* const edited = editedOf(volume);
+  if (edited == nullptr) return boxes;
+  for (const Edit& edit : edited->edits) {
+    const auto* stroke = std::get_if<Stroke>(&edit);
+    if (stroke == nullptr) continue;
+    haptics::VoxelBox box;
+    for (const haptics::BurrCut& cut : stroke->cuts()) {
+      const haptics::VoxelBox one = haptics::BurrCarving{volume, cut}.box();
+      const haptics::VoxelBox both = haptics::joined(box, one);
+      bool is_long = false;
+      for (std::size_t a = 0; a < 3; ++a)
+        is_long = is_long || both.end[a] - both.first[a] > kLongestBox;
+      if (is_long && !haptics::isEmpty(box)) boxes.push_back(box);
+      box = is_long ? one : both;
+    }
+    if (!haptics::isEmpty(box)) boxes.push_back(box);
+  }
+  return boxes;
+}
 
 haptics::Expected<std::vector<haptics::VoxelRun>> carve(const haptics::Volume& volume,
                                                         const Stroke& stroke, void* voxels,

@@ -3578,10 +3578,6 @@
         <translation>Geschnittenes färben</translation>
     </message>
     <message>
-        <source>Where the surface is a mesh, faces that a burr has cut stand out</source>
-        <translation>Wo die Oberfläche ein Netz ist, heben sich geschnittene Flächen ab</translation>
-    </message>
-    <message>
         <source>Turns in a minute: a faster burr removes more with the same force</source>
         <translation>Umdrehungen in einer Minute: Ein schnellerer Bohrer nimmt mit derselben Kraft mehr weg</translation>
     </message>
@@ -3676,6 +3672,10 @@
     <message>
         <source>The burr&apos;s teeth are felt, by at most half a newton</source>
         <translation>Die Zähne des Bohrers sind zu spüren, mit höchstens einem halben Newton</translation>
+    </message>
+    <message>
+        <source>Faces that a burr has cut stand out</source>
+        <translation>Flächen, die ein Bohrer geschnitten hat, fallen auf</translation>
     </message>
 </context>
 <context>

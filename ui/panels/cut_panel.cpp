@@ -67,7 +67,7 @@ CutPanel::CutPanel(QWidget* parent)
   vibration_->setToolTip(tr("The burr's teeth are felt, by at most half a newton"));
   tint_->setObjectName("cutTint");
   tint_->setChecked(true);
-  tint_->setToolTip(tr("Where the surface is a mesh, faces that a burr has cut stand out"));
+  tint_->setToolTip(tr("Faces that a burr has cut stand out"));
   speed_->setToolTip(tr("Turns in a minute: a faster burr removes more with the same force"));
   energy_->setToolTip(tr("What it takes to remove a cubic millimetre: the more, the slower"));
   whenKeysChange(*this, [this] {

@@ -2,6 +2,7 @@
 #include "ui/props/carved_part.h"
 
 #include <vtkActor.h>
+#include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkFloatArray.h>
@@ -19,18 +20,42 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
+#include "ui/props/cut_tint.h"
 #include "ui/props/picture.h"
 #include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
 
-constexpr std::int64_t kRoom = 2;    // voxels around what was cut
-constexpr std::int64_t kGrain = 16;  // voxels by which a part grows
+constexpr std::int64_t kBrick = 32;  // voxels along a side
 constexpr double kCut = 0.03;        // of isovalue over background: deeper in the scan it was cut
+constexpr double kRounding = 1e-4;   // voxels: of a corner's place
+
+/// The field of the scan above which a place of the surface was cut.
+double cutAbove(const haptics::Volume& scan, double isovalue) {
+  return isovalue + kCut * std::abs(isovalue - scan.least);
+}
+
+std::array<unsigned char, 3> bytesOf(const Rgb& colour) {
+  std::array<unsigned char, 3> bytes{};
+  for (std::size_t n = 0; n < 3; ++n)
+    bytes[n] = static_cast<unsigned char>(std::lround(255.0 * std::clamp(colour[n], 0.0, 1.0)));
+  return bytes;
+}
+
+/// Calls `each` with the three corners of every triangle.
+template <class Each>
+void eachTriangle(vtkPolyData& mesh, const Each& each) {
+  const auto iterator = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
+  vtkIdType count = 0;
+  const vtkIdType* ids = nullptr;
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell()) {
+    iterator->GetCurrentCell(count, ids);
+    each(ids);
+  }
+}
 
 /// The voxels of a box with numbers of their own, and background where the volume ends, so that a
 /// surface is closed there.
@@ -67,60 +92,12 @@ vtkSmartPointer<vtkImageData> closedImage(const haptics::Volume& volume,
   return image;
 }
 
-/// Gives each corner of a mesh the colour of the surface, or that of what was cut.
-void tint(vtkPolyData& mesh, const haptics::Volume* scan, double isovalue, const Rgb& colour) {
-  const auto bytesOf = [](const Rgb& of) {
-    std::array<unsigned char, 3> bytes{};
-    for (std::size_t n = 0; n < 3; ++n)
-      bytes[n] = static_cast<unsigned char>(std::lround(255.0 * std::clamp(of[n], 0.0, 1.0)));
-    return bytes;
-  };
-  const auto whole = bytesOf(colour), cut = bytesOf(style::kCutFace);
-  const vtkIdType count = mesh.GetNumberOfPoints();
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
-  colours->SetNumberOfTuples(count);
-  for (vtkIdType n = 0; n < count; ++n) {
-    const Eigen::Vector3d p_mm{mesh.GetPoint(n)};
-    const bool deep =
-        scan != nullptr && fieldAt(*scan, p_mm.cwiseQuotient(scan->grid.spacing * kMmPerM)) >
-                               isovalue + kCut * std::abs(isovalue - scan->least);
-    colours->SetTypedTuple(n, deep ? cut.data() : whole.data());
-  }
-  mesh.GetPointData()->SetScalars(colours);
-}
-
-/// A mesh without the triangles all of whose corners lie in a box of L.
-vtkSmartPointer<vtkPolyData> outside(vtkPolyData& mesh, const Eigen::AlignedBox3f& box_mm) {
-  const auto count = static_cast<std::size_t>(mesh.GetNumberOfPoints());
-  std::vector<std::uint8_t> in(count);
-  for (std::size_t n = 0; n < count; ++n) {
-    double p[3];
-    mesh.GetPoint(static_cast<vtkIdType>(n), p);
-    in[n] = box_mm.contains(Eigen::Vector3d{p}.cast<float>());
-  }
-  vtkNew<vtkCellArray> kept;
-  kept->AllocateEstimate(mesh.GetNumberOfPolys(), 3);
-  const auto iterator = vtk::TakeSmartPointer(mesh.GetPolys()->NewIterator());
-  vtkIdType corners = 0;
-  const vtkIdType* ids = nullptr;
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell()) {
-    iterator->GetCurrentCell(corners, ids);
-    bool within = true;
-    for (vtkIdType c = 0; c < corners; ++c) within = within && in[static_cast<std::size_t>(ids[c])];
-    if (!within) kept->InsertNextCell(corners, ids);
-  }
-  auto rest = vtkSmartPointer<vtkPolyData>::New();
-  rest->SetPoints(mesh.GetPoints());
-  rest->SetPolys(kept);
-  rest->GetPointData()->ShallowCopy(mesh.GetPointData());
-  return rest;
-}
-
 }  // namespace
 
 CarvedPart::CarvedPart()
-    : actor_(vtkSmartPointer<vtkActor>::New()), mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()) {
+    : actor_(vtkSmartPointer<vtkActor>::New()),
+      mapper_(vtkSmartPointer<vtkPolyDataMapper>::New()),
+      tint_(vtkSmartPointer<CutTint>::New()) {
   actor_->SetMapper(mapper_);
   mapper_->SetColorModeToDirectScalars();
   end();
@@ -128,47 +105,62 @@ CarvedPart::CarvedPart()
 
 CarvedPart::~CarvedPart() = default;
 
-void CarvedPart::begin(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan) {
+void CarvedPart::begin(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan,
+                       std::span<const haptics::VoxelBox> cut_before) {
   end();
   voxels_ = voxels;
   scan_ = std::move(scan);
+  for (const haptics::VoxelBox& box : cut_before) touch(box);
 }
 
 void CarvedPart::end() {
   voxels_.reset();
   scan_.reset();
-  carved_ = waiting_ = beside_of_ = {};
+  bricks_.clear();
+  waiting_ = tinted_box_ = {};
   contoured_.reset();
+  tint_->forget();
   mesh_ = beside_ = nullptr;
   mapper_->SetInputData(vtkSmartPointer<vtkPolyData>::New());
 }
 
 void CarvedPart::add(const haptics::VoxelBox& box) {
   if (!voxels_ || haptics::isEmpty(box)) return;
-  carved_ = haptics::joined(carved_, box);
   waiting_ = haptics::joined(waiting_, box);
-  contoured_.reset();
+  touch(box);
+}
+
+std::pair<CarvedPart::BrickIndex, CarvedPart::BrickIndex> CarvedPart::range() const {
+  const haptics::VoxelBox bounds = voxels_->bounds();
+  std::pair<BrickIndex, BrickIndex> range;
+  for (std::size_t a = 0; a < 3; ++a) {
+    range.first[a] = bounds.first[a] / kBrick;
+    // a brick has the cells between its voxels and the next
+    range.second[a] = std::max(range.first[a], (bounds.end[a] - 2) / kBrick);
+  }
+  return range;
+}
+
+void CarvedPart::touch(const haptics::VoxelBox& box) {
+  if (haptics::isEmpty(box)) return;
+  const auto [least, most] = range();
+  BrickIndex low{}, high{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    // a voxel is a corner of two cells, and counts for the normals at the corners beside it
+    low[a] = std::clamp((box.first[a] - 2) / kBrick, least[a], most[a]);
+    high[a] = std::clamp((box.end[a] + 1) / kBrick, least[a], most[a]);
+  }
+  for (std::int64_t k = low[2]; k <= high[2]; ++k)
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+      for (std::int64_t i = low[0]; i <= high[0]; ++i) bricks_[{i, j, k}].mesh = nullptr;
+  stale_ = true;
 }
 
 vtkActor* CarvedPart::actor() const { return actor_; }
 
-bool CarvedPart::isEmpty() const { return haptics::isEmpty(carved_); }
-
 void CarvedPart::setTint(bool on) {
   tinted_ = on;
   contoured_.reset();
-}
-
-haptics::VoxelBox CarvedPart::part() const {
-  const haptics::VoxelBox bounds = voxels_->bounds();
-  haptics::VoxelBox part;
-  for (std::size_t a = 0; a < 3; ++a) {
-    const std::int64_t first = std::max<std::int64_t>(0, carved_.first[a] - kRoom);
-    part.first[a] = std::max(bounds.first[a], first / kGrain * kGrain);
-    const std::int64_t end = carved_.end[a] + kRoom;
-    part.end[a] = std::min(bounds.end[a], (end + kGrain - 1) / kGrain * kGrain + 1);
-  }
-  return part;
 }
 
 void CarvedPart::upload(vtkOpenGLGPUVolumeRayCastMapper& caster) {
@@ -207,38 +199,160 @@ void CarvedPart::upload(vtkOpenGLGPUVolumeRayCastMapper& caster) {
   waiting_ = {};
 }
 
+void CarvedPart::tint(vtkVolume& volume) { tint_->attachTo(volume); }
+
+void CarvedPart::tintFor(double isovalue) {
+  // a byte a voxel: beyond it, the colour is not worth the memory
+  constexpr std::int64_t kMostVoxels = std::int64_t{1} << 28;
+  if (!tinted_ || !scan_ || isEmpty()) return tint_->forget();
+  haptics::VoxelBox box;
+  for (const auto& [index, brick] : bricks_) {
+    haptics::VoxelBox one;
+    for (std::size_t a = 0; a < 3; ++a) {
+      one.first[a] = index[a] * kBrick;
+      one.end[a] = std::min(scan_->grid.dims[a], (index[a] + 1) * kBrick + 1);
+    }
+    box = haptics::joined(box, one);
+  }
+  std::int64_t voxels = 1;
+  for (std::size_t a = 0; a < 3; ++a) voxels *= box.end[a] - box.first[a];
+  if (voxels > kMostVoxels) return tint_->forget();
+  if (box != tinted_box_ || !tint_->isOn()) tint_->show(*scan_, box);
+  tinted_box_ = box;
+  tint_->setAbove(cutAbove(*scan_, isovalue));
+}
+
+vtkSmartPointer<vtkPolyData> CarvedPart::meshOf(const BrickIndex& brick, double isovalue,
+                                                bool mirrored, const Rgb& colour) const {
+  const haptics::VoxelBox bounds = voxels_->bounds();
+  const auto [least, most] = range();
+  haptics::VoxelBox part;  // with what the normals need
+  std::array<double, 3> low{}, high{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const bool first = brick[a] == least[a], last = brick[a] == most[a];
+    const std::int64_t begin = brick[a] * kBrick, end = begin + kBrick;
+    part.first[a] = first ? bounds.first[a] : begin - 1;
+    part.end[a] = last ? bounds.end[a] : std::min(bounds.end[a], end + 2);
+    // where the volume ends its surface is closed beyond
+    low[a] = first ? -HUGE_VAL : static_cast<double>(begin);
+    high[a] = last ? HUGE_VAL : static_cast<double>(end);
+  }
+  const auto whole = isosurfaceMesh(closedImage(*voxels_, part), isovalue, mirrored);
+  const Eigen::Vector3d spacing_mm = voxels_->grid.spacing * kMmPerM;
+  const haptics::Volume* const scan = tinted_ ? scan_.get() : nullptr;
+  const double above = scan != nullptr ? cutAbove(*scan, isovalue) : 0.0;
+  Eigen::AlignedBox3d inside;
+  for (int a = 0; a < 3; ++a) {
+    const auto of = static_cast<std::size_t>(a);
+    inside.min()[a] = static_cast<double>(bounds.first[of]);
+    inside.max()[a] = static_cast<double>(bounds.end[of] - 1);
+  }
+  const auto plain = bytesOf(colour), cut = bytesOf(style::kCutFace);
+  vtkDataArray* const normals_there = whole->GetPointData()->GetNormals();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkUnsignedCharArray> colours;
+  vtkNew<vtkCellArray> triangles;
+  normals->SetNumberOfComponents(3);
+  colours->SetNumberOfComponents(3);
+  std::vector<vtkIdType> renumbered(static_cast<std::size_t>(whole->GetNumberOfPoints()), -1);
+  const auto indexOf = [&](vtkIdType id) {
+    return Eigen::Vector3d{whole->GetPoint(id)}.cwiseQuotient(spacing_mm).eval();
+  };
+  eachTriangle(*whole, [&](const vtkIdType* ids) {
+    const Eigen::Vector3d middle = (indexOf(ids[0]) + indexOf(ids[1]) + indexOf(ids[2])) / 3.0;
+    for (int a = 0; a < 3; ++a) {
+      const double at = middle[a] + kRounding;
+      if (at < low[static_cast<std::size_t>(a)] || at >= high[static_cast<std::size_t>(a)]) return;
+    }
+    std::array<vtkIdType, 3> corners{};
+    for (std::size_t n = 0; n < 3; ++n) {
+      vtkIdType& id = renumbered[static_cast<std::size_t>(ids[n])];
+      if (id < 0) {
+        id = points->InsertNextPoint(whole->GetPoint(ids[n]));
+        normals->InsertNextTuple(normals_there->GetTuple(ids[n]));
+        const Eigen::Vector3d at = indexOf(ids[n]);
+        // a face where the volume ends was not cut
+        const bool deep = scan != nullptr && inside.contains(at) && fieldAt(*scan, at) > above;
+        colours->InsertNextTypedTuple(deep ? cut.data() : plain.data());
+      }
+      corners[n] = id;
+    }
+    triangles->InsertNextCell(3, corners.data());
+  });
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(triangles);
+  mesh->GetPointData()->SetNormals(normals);
+  mesh->GetPointData()->SetScalars(colours);
+  return mesh;
+}
+
 void CarvedPart::contour(double isovalue, bool mirrored, const Rgb& colour) {
   const Contoured wanted{isovalue, colour};
-  if (isEmpty() || contoured_ == wanted) return;
+  if (isEmpty() || (contoured_ == wanted && !stale_)) return;
+  vtkNew<vtkAppendPolyData> all;
+  for (auto& [index, brick] : bricks_) {
+    if (brick.mesh == nullptr || contoured_ != wanted)
+      brick.mesh = meshOf(index, isovalue, mirrored, colour);
+    all->AddInputData(brick.mesh);
+  }
+  all->Update();
+  mapper_->SetInputData(all->GetOutput());
   contoured_ = wanted;
-  const auto mesh = isosurfaceMesh(closedImage(*voxels_, part()), isovalue, mirrored);
-  tint(*mesh, tinted_ ? scan_.get() : nullptr, isovalue, colour);
-  mapper_->SetInputData(mesh);
+  stale_ = false;
 }
 
 vtkPolyData* CarvedPart::beside(vtkPolyData* mesh) {
   if (isEmpty() || mesh == nullptr) return mesh;
-  const haptics::VoxelBox leaves = part();
-  if (mesh == mesh_ && leaves == beside_of_) return beside_;
-  const haptics::VoxelBox bounds = voxels_->bounds();
-  Eigen::AlignedBox3f box_mm;
-  for (int corner = 0; corner < 2; ++corner) {
-    Eigen::Vector3f p;
-    for (std::size_t a = 0; a < 3; ++a) {
-      // where the volume ends its surface is closed half a voxel, or a cube of voxels, beyond
-      const std::int64_t low =
-          leaves.first[a] == bounds.first[a] ? bounds.first[a] - kGrain : leaves.first[a];
-      const std::int64_t high =
-          leaves.end[a] == bounds.end[a] ? bounds.end[a] + kGrain : leaves.end[a] - 1;
-      const double spacing_mm = voxels_->grid.spacing[static_cast<Eigen::Index>(a)] * kMmPerM;
-      p[static_cast<Eigen::Index>(a)] =
-          static_cast<float>(static_cast<double>(corner == 0 ? low : high) * spacing_mm);
-    }
-    box_mm.extend(p);
+  if (mesh == mesh_ && beside_of_ == bricks_.size()) return beside_;
+  const auto [least, most] = range();
+  BrickIndex count{};
+  for (std::size_t a = 0; a < 3; ++a) count[a] = most[a] - least[a] + 1;
+  const auto placeOf = [&](const BrickIndex& brick) {
+    return static_cast<std::size_t>(
+        ((brick[2] - least[2]) * count[1] + brick[1] - least[1]) * count[0] + brick[0] - least[0]);
+  };
+  std::vector<std::uint8_t> carved(static_cast<std::size_t>(count[0] * count[1] * count[2]));
+  for (const auto& [index, brick] : bricks_) carved[placeOf(index)] = 1;
+  const Eigen::Vector3d brick_mm = voxels_->grid.spacing * (kMmPerM * static_cast<double>(kBrick));
+  constexpr double kOff = kRounding / kBrick;
+  const auto at = [&](vtkIdType id) {
+    return Eigen::Vector3d{mesh->GetPoint(id)}.cwiseQuotient(brick_mm).eval();
+  };
+  // where the volume ends its surface is closed beyond
+  const auto brickAt = [&](const Eigen::Vector3d& place, double off) {
+    BrickIndex brick{};
+    for (std::size_t a = 0; a < 3; ++a)
+      brick[a] = std::clamp(
+          static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(a)] + off)),
+          least[a], most[a]);
+    return brick;
+  };
+  std::vector<std::uint8_t> in(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t n = 0; n < in.size(); ++n) {
+    // a corner between two bricks lies in both
+    const Eigen::Vector3d place = at(static_cast<vtkIdType>(n));
+    const BrickIndex low = brickAt(place, -kOff), high = brickAt(place, kOff);
+    for (std::int64_t k = low[2]; k <= high[2]; ++k)
+      for (std::int64_t j = low[1]; j <= high[1]; ++j)
+        for (std::int64_t i = low[0]; i <= high[0]; ++i) in[n] |= carved[placeOf({i, j, k})];
   }
+  vtkNew<vtkCellArray> kept;
+  kept->AllocateEstimate(mesh->GetNumberOfPolys(), 3);
+  eachTriangle(*mesh, [&](const vtkIdType* ids) {
+    const auto isIn = [&](vtkIdType id) { return in[static_cast<std::size_t>(id)] != 0; };
+    // and a triangle between two in that of the cells which it belongs to
+    if (!isIn(ids[0]) || !isIn(ids[1]) || !isIn(ids[2]) ||
+        carved[placeOf(brickAt((at(ids[0]) + at(ids[1]) + at(ids[2])) / 3.0, kOff))] == 0)
+      kept->InsertNextCell(3, ids);
+  });
+  beside_ = vtkSmartPointer<vtkPolyData>::New();
+  beside_->SetPoints(mesh->GetPoints());
+  beside_->SetPolys(kept);
+  beside_->GetPointData()->ShallowCopy(mesh->GetPointData());
   mesh_ = mesh;
-  beside_of_ = leaves;
-  beside_ = outside(*mesh, box_mm);
+  beside_of_ = bricks_.size();
   return beside_;
 }
 

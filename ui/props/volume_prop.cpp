@@ -20,8 +20,11 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <string>
 
+#include "ui/props/cut_tint.h"
 #include "ui/props/viewport.h"
+#include "ui/style/scene_colours.h"
 
 namespace ui {
 namespace {
@@ -102,8 +105,10 @@ constexpr const char* kLightCutFace = R"(if (cut)
           }
           g_srcColor.rgb *= 1.0 - occlusion * lost / 16.0;
         }
+        if (!cut && isCut(g_dataPos)) g_srcColor.rgb *= cutColour / max(surfaceColour, vec3(0.05));
         if (beside) g_srcColor = vec4(0.0);
         g_srcColor.rgb *= g_srcColor.a;)";
+constexpr const char* kDeclarations = "//VTK::Base::Dec";
 constexpr const char* kStartIndex =
     "l_initialIndex = findIsoSurfaceIndex(scalar[maxComp], l_normValues);";
 // A ray begins outside the solid; what lies before the box of voxels that exist is left out. Its
@@ -161,6 +166,7 @@ VolumeProp::VolumeProp()
   look->SetScalarOpacity(opaque);
   volume_->SetMapper(caster_);
   volume_->VisibilityOff();
+  carved_.tint(*volume_);
   setHitRefinement(true);
 
   mesh_mapper_->ScalarVisibilityOff();
@@ -212,8 +218,9 @@ void VolumeProp::replace(const Picture& picture) {
 }
 
 void VolumeProp::showLive(const haptics::Volume& voxels,
-                          std::shared_ptr<const haptics::Volume> scan) {
-  carved_.begin(voxels, std::move(scan));
+                          std::shared_ptr<const haptics::Volume> scan,
+                          std::span<const haptics::VoxelBox> cut_before) {
+  carved_.begin(voxels, std::move(scan), cut_before);
   caster_->SetInputData(imageOf(voxels));
 }
 
@@ -240,6 +247,8 @@ void VolumeProp::tellShader() {
   if (!refined_) return uniforms->RemoveAllUniforms();
   const Rgb colour = colouring_.at(isovalue_);
   uniforms->SetUniform3f("surfaceColour", colour.data());
+  const Rgb cut{style::kCutFace};
+  uniforms->SetUniform3f("cutColour", cut.data());
   uniforms->SetUniform3f("cropLeast", crop_least_.data());
   uniforms->SetUniform3f("cropGreatest", crop_greatest_.data());
   uniforms->SetUniformf("occlusion", occluded_ ? kOcclusion : 0.0F);
@@ -311,6 +320,8 @@ void VolumeProp::setHitRefinement(bool on) {
   refined_ = on;
   tellShader();
   if (!on) return;
+  shader->AddFragmentShaderReplacement(kDeclarations, true,
+                                       std::string{CutTint::kDeclared} + kDeclarations, false);
   shader->AddFragmentShaderReplacement(kStartIndex, false, kStartOutside, false);
   shader->AddFragmentShaderReplacement(kShadeHere, false, kRefineHit, false);
   shader->AddFragmentShaderReplacement(kPremultiply, false, kLightCutFace, false);
@@ -326,6 +337,7 @@ void VolumeProp::update() {
   carved_.actor()->SetVisibility(meshed && !carved_.isEmpty());
   if (!meshed) {
     carved_.upload(*caster_);
+    carved_.tintFor(isovalue_);
     return;
   }
   vtkPolyData* mesh = fine_mesh_;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "ui/props/carved_part.h"
 #include "ui/props/colouring.h"
@@ -60,8 +61,10 @@ class VolumeProp {
   /// Shows a mesh of L in full detail. Ignored if the isovalue has changed meanwhile.
   void showFine(vtkPolyData* mesh, double isovalue);
   /// Shows these voxels, which are those of the picture's volume and change from now on, as
-  /// carved() is told. `scan`: what they were before any cut. Until the next show() or replace().
-  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan);
+  /// carved() is told. `scan`: what they were before any cut; boxes that hold what is cut already.
+  /// Until the next show() or replace().
+  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan,
+                std::span<const haptics::VoxelBox> cut_before);
   /// The part that changes.
   CarvedPart& carved() { return carved_; }
   const CarvedPart& carved() const { return carved_; }

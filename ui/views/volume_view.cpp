@@ -163,8 +163,9 @@ void VolumeView::replace(const Picture& picture) {
 }
 
 void VolumeView::showLive(const haptics::Volume& voxels,
-                          std::shared_ptr<const haptics::Volume> scan) {
-  surface_.showLive(voxels, std::move(scan));
+                          std::shared_ptr<const haptics::Volume> scan,
+                          std::span<const haptics::VoxelBox> cut_before) {
+  surface_.showLive(voxels, std::move(scan), cut_before);
   redrawSurface();
 }
 

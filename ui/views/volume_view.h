@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "haptics/core/triangle_mesh.h"
 #include "haptics/snapshot.h"
@@ -47,10 +48,11 @@ class VolumeView : public Viewport, public Spoken {
   /// Shows other voxels of the same grid; camera, mode and isovalues stay.
   void replace(const Picture& picture);
   /// As VolumeProp's.
-  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan);
+  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan,
+                std::span<const haptics::VoxelBox> cut_before);
   void carve(const haptics::VoxelBox& box);
   void renew(const Picture& picture);
-  /// Whether faces that were cut have a colour of their own, where the surface is a mesh.
+  /// Whether faces that were cut have a colour of their own.
   void setTint(bool on);
   bool isTinted() const { return surface_.carved().isTinted(); }
   /// What is on view; its volume is null before the first.

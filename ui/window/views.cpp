@@ -84,8 +84,9 @@ void Views::show(const haptics::TriangleMesh& tool) {
   slices_->show(tool);
 }
 
-void Views::showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan) {
-  volume_->showLive(voxels, std::move(scan));
+void Views::showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan,
+                     std::span<const haptics::VoxelBox> cut_before) {
+  volume_->showLive(voxels, std::move(scan), cut_before);
   slices_->showLive(voxels);
 }
 

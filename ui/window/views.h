@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QRect>
 #include <QString>
+#include <span>
 #include <vector>
 
 #include "haptics/core/triangle_mesh.h"
@@ -49,8 +50,10 @@ class Views : public QObject {
   /// Shows other voxels of the same grid; camera, crosshair and grey window stay.
   void replace(const Picture& picture);
   /// Shows these voxels, which are those of the volume on view and change from now on: carve() says
-  /// where. `scan`: what they were before any cut. Until the next show() or replace().
-  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan);
+  /// where. `scan`: what they were before any cut; boxes that hold what is cut already. Until the
+  /// next show() or replace().
+  void showLive(const haptics::Volume& voxels, std::shared_ptr<const haptics::Volume> scan,
+                std::span<const haptics::VoxelBox> cut_before);
   void carve(const haptics::VoxelBox& box);
   /// The volume on view is this one now, whose voxels are on view already.
   void renew(const Picture& picture);

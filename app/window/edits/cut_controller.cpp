@@ -168,7 +168,8 @@ void CutController::tellLaw() {
 
 void CutController::showLive() {
   if (!live_ || replaying_) return;
-  window_.views().showLive(live_->volume(), scanOf(live_->uncut()));
+  window_.views().showLive(live_->volume(), scanOf(live_->uncut()),
+                           datasets::boxesOfStrokes(*live_->uncut()));
   window_.views().volume().setTint(panel_->tint());
 }
 

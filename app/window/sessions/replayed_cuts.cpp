@@ -3,6 +3,7 @@
 
 #include "app/recording/recording.h"
 #include "app/window/scan/edited_volume.h"
+#include "datasets/edits/edited.h"
 
 namespace app {
 
@@ -17,7 +18,8 @@ void ReplayedCuts::show(const std::shared_ptr<const haptics::Volume>& on_view, s
                         std::uint64_t sequence) {
   const auto moved = cuts_.moveTo(on_view, scene, sequence);
   if (!moved) return;
-  if (moved->anew) views_.showLive(cuts_.volume(), scanOf(on_view));
+  if (moved->anew)
+    views_.showLive(cuts_.volume(), scanOf(on_view), datasets::boxesOfStrokes(*on_view));
   if (!haptics::isEmpty(moved->changed)) views_.carve(moved->changed);
 }
 

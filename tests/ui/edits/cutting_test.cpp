@@ -307,9 +307,14 @@ TEST_F(Cutting, ATextureGetsNoOtherVoxelsThanThoseThatWereCut) {
   const QImage cut = window::pictureAtRest(view);
   window::keep(cut, "cut_ray_cast");
   EXPECT_GT(window::differing(cut, uncut), 0.001);
+  EXPECT_LT(window::count(uncut, cutColoured), 5);
+  EXPECT_GT(window::count(cut, cutColoured), 20);
+  child<QCheckBox>("cutTint").click();
+  const QImage plain = window::pictureAtRest(view);
+  EXPECT_LT(window::count(plain, cutColoured), 5);
   // all of it anew
   window().views().replace(application_->shown()->picture);
-  EXPECT_EQ(window::differing(window::pictureAtRest(view), cut, 2), 0.0);
+  EXPECT_EQ(window::differing(window::pictureAtRest(view), plain, 2), 0.0);
 }
 
 // Strokes from before belong to the scene that is described; those that are taken back, to none.
@@ -395,11 +400,16 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   emit window().menus().openWanted(
       QString::fromStdString((path.parent_path() / path.stem()).string()));
   ASSERT_TRUE(waitFor([&] { return application_->replay() != nullptr; }));
+  // before its beginning there was a stroke
+  application_->replay()->seek(application_->replay()->track().begin);
+  EXPECT_TRUE(waitFor([&] { return coral() > 20; }, 20.0)) << coral();
+  window::pictureAtRest(window().views().volume());
+  const int first = coral();
   for (int round = 0; round < 2; ++round) {
-    application_->replay()->seek(application_->replay()->track().begin);
-    EXPECT_TRUE(waitFor([&] { return coral() < 5; }, 20.0)) << round << ": " << coral();
     application_->replay()->seek(application_->replay()->track().end);
-    EXPECT_TRUE(waitFor([&] { return coral() > 60; }, 20.0)) << round << ": " << coral();
+    EXPECT_TRUE(waitFor([&] { return coral() > first + 60; }, 20.0)) << round << ": " << coral();
+    application_->replay()->seek(application_->replay()->track().begin);
+    EXPECT_TRUE(waitFor([&] { return coral() < first + 5; }, 20.0)) << round << ": " << coral();
   }
   window::keep(window().views().volume().grabFramebuffer(), "cut_replayed");
   emit window().replayBar().closeWanted();

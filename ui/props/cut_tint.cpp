@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/props/cut_tint.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseVectorKey.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkShaderProgram.h>
+#include <vtkTextureObject.h>
+#include <vtkVolume.h>
+#include <vtkVolumeInputHelper.h>
+#include <vtkVolumeTexture.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace ui {
+
+vtkStandardNewMacro(CutTint);
+
+const char* const CutTint::kDeclared = R"(uniform sampler3D cutScan;
+uniform vec3 cutFirst;
+uniform vec3 cutScale;
+uniform float cutAbove;
+bool isCut(vec3 place)
+{
+  vec3 there = (place - cutFirst) * cutScale;
+  return all(greaterThan(there, vec3(0.0))) && all(lessThan(there, vec3(1.0)))
+      && texture3D(cutScan, there).r > cutAbove;
+}
+)";
+const char* const CutTint::kIsCut = "isCut(g_dataPos)";
+
+CutTint::CutTint() : texture_(vtkSmartPointer<vtkTextureObject>::New()) {}
+CutTint::~CutTint() = default;
+
+void CutTint::attachTo(vtkVolume& volume) {
+  vtkNew<vtkInformation> keys;
+  vtkOpenGLRenderPass::RenderPasses()->Append(keys, this);
+  volume.SetPropertyKeys(keys);
+}
+
+void CutTint::show(const haptics::Volume& scan, const haptics::VoxelBox& box) {
+  least_ = scan.least;
+  greatest_ = std::max(scan.greatest, scan.least + 1e-9);
+  const auto& dims = scan.grid.dims;
+  for (std::size_t a = 0; a < 3; ++a) {
+    size_[a] = static_cast<unsigned>(box.end[a] - box.first[a]);
+    first_[a] = static_cast<float>(static_cast<double>(box.first[a]) / double(dims[a]));
+    scale_[a] = static_cast<float>(static_cast<double>(dims[a]) / size_[a]);
+  }
+  bytes_.clear();
+  bytes_.reserve(std::size_t{size_[0]} * size_[1] * size_[2]);
+  const double per_value = 255.0 / (greatest_ - least_);
+  haptics::visitVoxels(scan.type, scan.voxels.get(), [&](const auto* voxels) {
+    for (std::int64_t k = box.first[2]; k < box.end[2]; ++k)
+      for (std::int64_t j = box.first[1]; j < box.end[1]; ++j) {
+        const auto* row = voxels + (k * dims[1] + j) * dims[0];
+        std::transform(row + box.first[0], row + box.end[0], std::back_inserter(bytes_),
+                       [&](auto value) {
+                         const double part = (static_cast<double>(value) - least_) * per_value;
+                         return static_cast<std::uint8_t>(std::clamp(part, 0.0, 255.0) + 0.5);
+                       });
+      }
+  });
+  is_new_ = true;
+  on_ = true;
+}
+
+void CutTint::forget() {
+  if (!on_) return;
+  bytes_ = {0};
+  size_ = {1, 1, 1};
+  is_new_ = true;
+  above_ = 2.0F;
+  on_ = false;
+}
+
+void CutTint::setAbove(double value) {
+  above_ = static_cast<float>((value - least_) / (greatest_ - least_));
+}
+
+bool CutTint::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp*,
+                                  vtkOpenGLVertexArrayObject*) {
+  auto* const caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  if (caster == nullptr || !program->IsUniformUsed("cutScan")) return true;
+  if (is_new_ || texture_->GetHandle() == 0) {
+    // the volume's own texture knows the window
+    texture_->SetContext(
+        caster->AssembledInputs[0].Texture->GetCurrentBlock()->TextureObject->GetContext());
+    texture_->Create3DFromRaw(size_[0], size_[1], size_[2], 1, VTK_UNSIGNED_CHAR, bytes_.data());
+    texture_->SetMagnificationFilter(vtkTextureObject::Linear);
+    texture_->SetMinificationFilter(vtkTextureObject::Linear);
+    is_new_ = false;
+  }
+  texture_->Activate();
+  program->SetUniformi("cutScan", texture_->GetTextureUnit());
+  program->SetUniform3f("cutFirst", first_.data());
+  program->SetUniform3f("cutScale", scale_.data());
+  program->SetUniformf("cutAbove", above_);
+  return true;
+}
+
+void CutTint::ReleaseGraphicsResources(vtkWindow* window) {
+  texture_->ReleaseGraphicsResources(window);
+}
+
+}  // namespace ui
