@@ -141,13 +141,19 @@ TEST(CarvedPart, ContoursAgainWhatWasCutAndColoursIt) {
           box.end[0] - box.first[0], std::int16_t{0});
   carved.add(box);
   EXPECT_GT(corals(), 50);
+  // beside it the mesh of before is still right
+  const auto meshOfAll = [](const Volume& volume) {
+    return ui::isosurfaceMesh(ui::reducedImageOf(volume, volume.grid.voxelCount()), kIsovalue,
+                              false);
+  };
   Surface expected, found;
-  const auto whole =
-      ui::isosurfaceMesh(ui::reducedImageOf(live, live.grid.voxelCount()), kIsovalue, false);
-  expected.add(*whole);
-  found.add(*carved.beside(whole));
+  expected.add(*meshOfAll(live));
+  const auto old = meshOfAll(before);
+  found.add(*carved.beside(old));
   found.add(meshOf(carved));
   EXPECT_TRUE(found.triangles == expected.triangles);
+  for (const auto& [corner, normal] : expected.normals)
+    EXPECT_LT((found.normals.at(corner) - normal).norm(), 1e-3);
   carved.setTint(false);
   EXPECT_EQ(corals(), 0);
 }
