@@ -29,9 +29,10 @@
 namespace ui {
 namespace {
 
-constexpr std::int64_t kBrick = 32;  // voxels along a side
-constexpr double kCut = 0.03;        // of isovalue over background: deeper in the scan it was cut
-constexpr double kRounding = 1e-4;   // voxels: of a corner's place
+constexpr std::int64_t kBrick = 32;   // voxels along a side
+constexpr std::int64_t kOverlap = 3;  // voxels by which the mesh beside goes into bricks
+constexpr double kCut = 0.03;         // of isovalue over background: deeper in the scan it was cut
+constexpr double kRounding = 1e-4;    // voxels: of a corner's place
 
 /// The field of the scan above which a place of the surface was cut.
 double cutAbove(const haptics::Volume& scan, double isovalue) {
@@ -147,8 +148,8 @@ void CarvedPart::touch(const haptics::VoxelBox& box) {
   BrickIndex low{}, high{};
   for (std::size_t a = 0; a < 3; ++a) {
     // a voxel is a corner of two cells, and counts for the normals at the corners beside it
-    low[a] = std::clamp((box.first[a] - 2) / kBrick, least[a], most[a]);
-    high[a] = std::clamp((box.end[a] + 1) / kBrick, least[a], most[a]);
+    low[a] = std::clamp((box.first[a] - 2 - kOverlap) / kBrick, least[a], most[a]);
+    high[a] = std::clamp((box.end[a] + 1 + kOverlap) / kBrick, least[a], most[a]);
   }
   for (std::int64_t k = low[2]; k <= high[2]; ++k)
     for (std::int64_t j = low[1]; j <= high[1]; ++j)
@@ -316,36 +317,31 @@ vtkPolyData* CarvedPart::beside(vtkPolyData* mesh) {
   std::vector<std::uint8_t> carved(static_cast<std::size_t>(count[0] * count[1] * count[2]));
   for (const auto& [index, brick] : bricks_) carved[placeOf(index)] = 1;
   const Eigen::Vector3d brick_mm = voxels_->grid.spacing * (kMmPerM * static_cast<double>(kBrick));
-  constexpr double kOff = kRounding / kBrick;
-  const auto at = [&](vtkIdType id) {
-    return Eigen::Vector3d{mesh->GetPoint(id)}.cwiseQuotient(brick_mm).eval();
-  };
   // where the volume ends its surface is closed beyond
-  const auto brickAt = [&](const Eigen::Vector3d& place, double off) {
+  const auto brickAt = [&](const Eigen::Vector3d& place) {
     BrickIndex brick{};
     for (std::size_t a = 0; a < 3; ++a)
-      brick[a] = std::clamp(
-          static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(a)] + off)),
-          least[a], most[a]);
+      brick[a] =
+          std::clamp(static_cast<std::int64_t>(std::floor(place[static_cast<Eigen::Index>(a)])),
+                     least[a], most[a]);
     return brick;
   };
-  std::vector<std::uint8_t> in(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  // a reduced mesh is not quite where the bricks' is: beside them the two overlap
+  constexpr double kRim = static_cast<double>(kOverlap) / kBrick;
+  std::vector<std::uint8_t> in(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 1);
   for (std::size_t n = 0; n < in.size(); ++n) {
-    // a corner between two bricks lies in both
-    const Eigen::Vector3d place = at(static_cast<vtkIdType>(n));
-    const BrickIndex low = brickAt(place, -kOff), high = brickAt(place, kOff);
+    const Eigen::Vector3d at =
+        Eigen::Vector3d{mesh->GetPoint(static_cast<vtkIdType>(n))}.cwiseQuotient(brick_mm);
+    const BrickIndex low = brickAt(at.array() - kRim), high = brickAt(at.array() + kRim);
     for (std::int64_t k = low[2]; k <= high[2]; ++k)
       for (std::int64_t j = low[1]; j <= high[1]; ++j)
-        for (std::int64_t i = low[0]; i <= high[0]; ++i) in[n] |= carved[placeOf({i, j, k})];
+        for (std::int64_t i = low[0]; i <= high[0]; ++i) in[n] &= carved[placeOf({i, j, k})];
   }
   vtkNew<vtkCellArray> kept;
   kept->AllocateEstimate(mesh->GetNumberOfPolys(), 3);
   eachTriangle(*mesh, [&](const vtkIdType* ids) {
     const auto isIn = [&](vtkIdType id) { return in[static_cast<std::size_t>(id)] != 0; };
-    // and a triangle between two in that of the cells which it belongs to
-    if (!isIn(ids[0]) || !isIn(ids[1]) || !isIn(ids[2]) ||
-        carved[placeOf(brickAt((at(ids[0]) + at(ids[1]) + at(ids[2])) / 3.0, kOff))] == 0)
-      kept->InsertNextCell(3, ids);
+    if (!isIn(ids[0]) || !isIn(ids[1]) || !isIn(ids[2])) kept->InsertNextCell(3, ids);
   });
   beside_ = vtkSmartPointer<vtkPolyData>::New();
   beside_->SetPoints(mesh->GetPoints());

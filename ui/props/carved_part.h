@@ -53,7 +53,8 @@ class CarvedPart {
   void tintFor(double isovalue);
   /// Brings the bricks' own mesh up to date.
   void contour(double isovalue, bool mirrored, const Rgb& colour);
-  /// A mesh of the volume without the triangles within the bricks; valid until the next call.
+  /// A mesh of the volume without the triangles within the bricks, but for a rim in which nothing
+  /// was cut; valid until the next call.
   vtkPolyData* beside(vtkPolyData* mesh);
   /// Draws the bricks' own mesh.
   vtkActor* actor() const;

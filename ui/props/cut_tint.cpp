@@ -27,7 +27,8 @@ uniform float cutAbove;
 bool isCut(vec3 place)
 {
   vec3 there = (place - cutFirst) * cutScale;
-  return all(greaterThan(there, vec3(0.0))) && all(lessThan(there, vec3(1.0)))
+  vec3 edge = 0.5 / vec3(textureSize(cutScan, 0));
+  return all(greaterThan(there, edge)) && all(lessThan(there, 1.0 - edge))
       && texture3D(cutScan, there).r > cutAbove;
 }
 )";
