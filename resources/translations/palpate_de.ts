@@ -3677,6 +3677,18 @@
         <source>Faces that a burr has cut stand out</source>
         <translation>Flächen, die ein Bohrer geschnitten hat, fallen auf</translation>
     </message>
+    <message>
+        <source>Sound of the burr</source>
+        <translation>Ton des Bohrers</translation>
+    </message>
+    <message>
+        <source>A faster burr is heard higher; under load it slows down a little, and gets louder and rougher</source>
+        <translation>Ein schnellerer Bohrer klingt höher; unter Last wird er etwas langsamer, lauter und rauer</translation>
+    </message>
+    <message>
+        <source>There is no program that plays a sound as it is made: install the utilities of PulseAudio or ALSA</source>
+        <translation>Es gibt kein Programm, das einen Ton spielt, während er entsteht: Installieren Sie die Hilfsprogramme von PulseAudio oder ALSA</translation>
+    </message>
 </context>
 <context>
     <name>ui::DevicePanel</name>

@@ -53,6 +53,7 @@ CutPanel::CutPanel(QWidget* parent)
       undo_(new QPushButton(tr("Undo"))),
       redo_(new QPushButton(tr("Redo"))),
       vibration_(new QCheckBox(tr("Vibration"))),
+      sound_(new QCheckBox(tr("Sound of the burr"))),
       tint_(new QCheckBox(tr("Colour what was cut"))) {
   state_->setObjectName("cutState");
   removed_->setObjectName("cutRemoved");
@@ -69,6 +70,8 @@ CutPanel::CutPanel(QWidget* parent)
   tint_->setChecked(true);
   tint_->setToolTip(tr("Faces that a burr has cut stand out"));
   speed_->setToolTip(tr("Turns in a minute: a faster burr removes more with the same force"));
+  sound_->setObjectName("burrSound");
+  setSoundPossible(true);
   energy_->setToolTip(tr("What it takes to remove a cubic millimetre: the more, the slower"));
   whenKeysChange(*this, [this] {
     undo_->setToolTip(withKey(tr("Takes the last stroke or edit back"), Action::Undo));
@@ -94,6 +97,7 @@ CutPanel::CutPanel(QWidget* parent)
   column->addWidget(removed_);
   column->addLayout(steps);
   column->addWidget(vibration_);
+  column->addWidget(sound_);
   column->addWidget(tint_);
   for (NumberBox* number : {speed_, energy_})
     connect(number, &NumberBox::valueChanged, this, &CutPanel::numbersChanged);
@@ -101,6 +105,7 @@ CutPanel::CutPanel(QWidget* parent)
   connect(redo_, &QPushButton::clicked, this, &CutPanel::redoWanted);
   connect(vibration_, &QCheckBox::toggled, this, &CutPanel::numbersChanged);
   connect(tint_, &QCheckBox::toggled, this, &CutPanel::tintChosen);
+  connect(sound_, &QCheckBox::toggled, this, &CutPanel::soundChosen);
   setSteps(false, false);
   show(CutTold{});
   showTissues(0, 0);
@@ -254,5 +259,13 @@ void CutPanel::setSteps(bool undo, bool redo) {
 }
 
 bool CutPanel::tint() const { return tint_->isChecked(); }
+
+void CutPanel::setSoundPossible(bool possible) {
+  sound_->setEnabled(possible);
+  sound_->setToolTip(possible ? tr("A faster burr is heard higher; under load it slows down a "
+                                   "little, and gets louder and rougher")
+                              : tr("There is no program that plays a sound as it is made: install "
+                                   "the utilities of PulseAudio or ALSA"));
+}
 
 }  // namespace ui

@@ -68,6 +68,8 @@ class CutPanel : public QWidget {
   using QWidget::show;
   void setSteps(bool undo, bool redo);
   bool tint() const;
+  /// Whether the system can play the sound of the burr.
+  void setSoundPossible(bool possible);
 
  signals:
   void burrChosen(const QString& id);
@@ -75,6 +77,8 @@ class CutPanel : public QWidget {
   void undoWanted();
   void redoWanted();
   void tintChosen(bool on);
+  /// Whether the burr is to be heard.
+  void soundChosen(bool on);
 
  private:
   /// A row of the table of materials.
@@ -95,7 +99,7 @@ class CutPanel : public QWidget {
   double least_ = 0.0, greatest_ = 0.0;  ///< values of the scan
   QString unit_;
   QPushButton *undo_, *redo_;
-  QCheckBox *vibration_, *tint_;
+  QCheckBox *vibration_, *sound_, *tint_;
   State shown_ = State::Preparing;
   double shown_force_ = -1.0;
 };

@@ -54,6 +54,8 @@ CutController::CutController(ui::MainWindow& window, SharedState& shared)
   connect(panel_, &Panel::undoWanted, this, &CutController::undoWanted);
   connect(panel_, &Panel::redoWanted, this, &CutController::redoWanted);
   connect(panel_, &Panel::tintChosen, &window.views().volume(), &ui::VolumeView::setTint);
+  panel_->setSoundPossible(BurrPlayer::isPossible());
+  connect(panel_, &Panel::soundChosen, this, [this](bool on) { sound_.setOn(on); });
   connect(&window.views().volume(), &ui::VolumeView::cutHeld, this, [this](bool held) {
     key_ = held;
     shared_.session.holdCut(held && !replaying_);
@@ -179,6 +181,15 @@ void CutController::refresh() {
   // a slow window lets the key lapse for a moment: that is no other stroke
   if (!shared_.snapshot.cuts && !key_) endStroke();
   showState();
+  tellSound();
+}
+
+void CutController::tellSound() {
+  const haptics::Snapshot& now = shared_.snapshot;
+  if (now.tick == std::exchange(heard_, now.tick))
+    return;  // of a loop that stands nothing is heard
+  sound_.show(
+      {.turns = now.cuts, .speed_rpm = panel_->numbers().speed_rpm, .force = now.burr_force});
 }
 
 void CutController::takeCuts() {

@@ -12,6 +12,7 @@
 #include "app/background/task.h"
 #include "app/recording/carved_copy.h"
 #include "app/window/scan/shared_state.h"
+#include "app/window/sound/burr_sound.h"
 #include "datasets/edits/edit.h"
 #include "haptics/proxy/cutting.h"
 #include "ui/panels/cut_panel.h"
@@ -80,6 +81,7 @@ class CutController : public QObject {
   void showTissues();
   void showRemoved();
   void callWaiting();
+  void tellSound();
 
   ui::MainWindow& window_;
   SharedState& shared_;
@@ -95,6 +97,8 @@ class CutController : public QObject {
   haptics::Removed removed_;              ///< by it
   ui::CutTold told_;                      ///< of the strokes in force
   std::function<void()> waiting_;         ///< of whenUncut()
+  BurrSound sound_;
+  std::uint64_t heard_ = 0;  ///< tick that was told to the sound last
 };
 
 }  // namespace app

@@ -3,11 +3,12 @@
 
 #include <QDataStream>
 #include <QFile>
-#include <QStandardPaths>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "app/window/sound/sound_program.h"
 
 namespace app {
 namespace {
@@ -20,9 +21,7 @@ constexpr int kLongest = 900, kShortest = 150;  // ms between two beeps
 /// The programs that play a file, each with the words before its name.
 const QStringList* playing() {
   static const QList<QStringList> known{{"pw-play"}, {"paplay"}, {"aplay", "-q"}};
-  for (const QStringList& one : known)
-    if (!QStandardPaths::findExecutable(one.front()).isEmpty()) return &one;
-  return nullptr;
+  return firstThere(known);
 }
 
 /// A tone that swells and fades, as a WAV file of 16 bits and one channel.

@@ -30,6 +30,7 @@
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
 #include "tests/ui/edits/editing.h"
+#include "tests/ui/fake_program.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/number_box.h"
@@ -204,6 +205,39 @@ TEST_F(Cutting, IsSeenWhileItIsDoneAndIsThereForEyeAndHandAfterwards) {
   EXPECT_LT(window::count(plain, cutColoured), 5);
   // and the pit stays
   EXPECT_GT(window::differing(plain, uncut), 0.001);
+}
+
+TEST_F(Cutting, IsHeardWhileTheBurrTurnsIfTheUserWantsIt) {
+  const window::FakeProgram player("paplay", window::kKeepsWhatItReads);
+  const auto loud = [&] {
+    return player.written("heard").count('\0') < player.written("heard").size();
+  };
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  cut(-6.0, 2.0);
+  ASSERT_FALSE(HasFatalFailure());
+  EXPECT_TRUE(player.written("called").isEmpty());  // off at first
+  child<QCheckBox>("burrSound").click();
+  ASSERT_TRUE(waitFor([&] { return !player.written("called").isEmpty(); }));
+  EXPECT_FALSE(loud());
+  cut(0.0, 4.0);
+  ASSERT_FALSE(HasFatalFailure());
+  EXPECT_TRUE(waitFor(loud));
+  // it has ended, and with the next stroke it is there again
+  const auto isQuiet = [&] {
+    const QByteArray end = player.written("heard").right(9'600);
+    return end.count('\0') == end.size();
+  };
+  EXPECT_TRUE(waitFor(isQuiet));
+  keepWindow("cut_with_sound");
+  const auto before = player.written("heard").size();
+  cut(6.0, 2.0);
+  ASSERT_FALSE(HasFatalFailure());
+  EXPECT_TRUE(waitFor([&] { return player.written("heard").size() > before; }));
+  child<QCheckBox>("burrSound").click();
+  lift();
+  cut(9.0, 1.0);
+  EXPECT_EQ(player.written("called").count('\n'), 1);
 }
 
 TEST_F(Cutting, LeavesAStructureThatMayNotBeCutToTheVoxel) {

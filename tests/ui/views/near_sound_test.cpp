@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <QFile>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QtEndian>
+
+#include "tests/ui/fake_program.h"
 
 namespace {
 
@@ -25,33 +25,13 @@ TEST(NearSound, ComesSoonerTheNearerItIs) {
   EXPECT_EQ(NearSound::pauseAt(1.0, {.near_mm = 2.0, .close_mm = 2.0}), 150);
 }
 
-/// A folder with a player that copies what it plays into `played`, and counts.
-class Player {
+/// A player that copies what it plays, and counts.
+class Player : public window::FakeProgram {
  public:
-  Player() {
-    QFile program(folder_.filePath("pw-play"));
-    EXPECT_TRUE(program.open(QIODevice::WriteOnly));
-    program.write("#!/bin/sh\ncp \"$1\" '" + folder_.path().toUtf8() +
-                  "/'\necho \"${1##*/}\" >> '" + log().toUtf8() + "'\n");
-    program.close();
-    program.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    qputenv("PATH", (folder_.path() + ":").toUtf8() + path_);
-  }
-  ~Player() { qputenv("PATH", path_); }
+  Player()
+      : FakeProgram("pw-play", "cp \"$1\" \"$here\"\necho \"${1##*/}\" >> \"$here/played\"\n") {}
 
-  QString log() const { return folder_.filePath("played"); }
-  int played(const QByteArray& name) const {
-    QFile file(log());
-    return file.open(QIODevice::ReadOnly) ? int(file.readAll().count(name)) : 0;
-  }
-  QByteArray sound(const QString& name) const {
-    QFile file(folder_.filePath(name));
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray{};
-  }
-
- private:
-  QByteArray path_ = qgetenv("PATH");
-  QTemporaryDir folder_;
+  int played(const QByteArray& name) const { return int(written("played").count(name)); }
 };
 
 /// How often the samples of a sound turn upwards through zero, in a second.
@@ -89,7 +69,7 @@ TEST(NearSound, IsPlayedWhileItIsOnAndSomethingIsNear) {
   sound.show(near, kLimits);
   sound.setOn(false);
   EXPECT_FALSE(sound.isBeeping());
-  const QByteArray low = player.sound("near.wav"), high = player.sound("close.wav");
+  const QByteArray low = player.written("near.wav"), high = player.written("close.wav");
   EXPECT_TRUE(low.startsWith("RIFF") && low.mid(8, 8) == "WAVEfmt ");
   EXPECT_EQ(qFromLittleEndian<quint32>(low.data() + 40), quint32(low.size() - 44));
   EXPECT_NEAR(pitchOf(low), 660.0, 20.0);
