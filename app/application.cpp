@@ -4,6 +4,7 @@
 #include <QDesktopServices>
 #include <QGuiApplication>
 #include <QMessageBox>
+#include <QTimer>
 #include <QUrl>
 #include <utility>
 
@@ -114,6 +115,8 @@ class Application::Parts : public QObject {
   bool settleWriting();
   /// A file is whole, or was not written: why, for the user.
   void endWriting(const QString& why);
+  /// Whether a burr has cut what is no edit yet.
+  bool hasStrokes() { return cut.hasCut() || edit.hasStrokes(); }
 
   void wireOpening();
   void wireTouch();
@@ -125,8 +128,9 @@ class Application::Parts : public QObject {
 
   Application& application_;
   Arguments arguments_;
-  bool asked_ = false;       ///< the user was asked about what would be lost
-  bool background_ = false;  ///< the window is gone, and a file is still being written
+  bool asked_ = false;                   ///< the user was asked about what would be lost
+  std::function<void()> after_strokes_;  ///< waits until all are edits
+  bool background_ = false;              ///< the window is gone, and a file is still being written
 };
 
 Application::Application(Arguments arguments)
@@ -459,6 +463,9 @@ void Application::Parts::wireViews() {
     cut.refresh();
     marks.refresh();
     structures.refresh();
+    // not here: it may ask
+    if (after_strokes_ && !hasStrokes())
+      QTimer::singleShot(0, this, std::exchange(after_strokes_, {}));
   });
   connect(&picture, &PictureController::snapshotTaken, &device, &DeviceController::showForce);
   using File = ViewFileController;
@@ -538,6 +545,16 @@ void Application::Parts::wireLeaving() {
           [this](bool, const QString& why) { endWriting(why); });
   connect(&surface, &SurfaceController::written, this,
           [this](bool, const QString& why) { endWriting(why); });
+  view_file.setStrokes({.end =
+                            [this] {
+                              cut.letGo();
+                              return hasStrokes();
+                            },
+                        .whenEdits =
+                            [this](std::function<void()> then) {
+                              if (!hasStrokes()) return then();
+                              after_strokes_ = std::move(then);
+                            }});
   opening.setGuard([this](const std::function<void(bool)>& answer) {
     const Leave now = view_file.leave(Leaving::Scan, answer);
     if (now != Leave::AfterSaving) answer(now == Leave::Now);

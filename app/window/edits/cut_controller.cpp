@@ -57,8 +57,9 @@ CutController::CutController(ui::MainWindow& window, SharedState& shared)
   panel_->setSoundPossible(BurrPlayer::isPossible());
   connect(panel_, &Panel::soundChosen, this, [this](bool on) { sound_.setOn(on); });
   connect(&window.views().volume(), &ui::VolumeView::cutHeld, this, [this](bool held) {
-    key_ = held;
-    shared_.session.holdCut(held && !replaying_);
+    let_go_ = let_go_ && held;  // a key that is down repeats itself
+    key_ = held && !let_go_;
+    shared_.session.holdCut(key_ && !replaying_);
   });
   showState();
 }
@@ -107,6 +108,17 @@ void CutController::showScene(const std::vector<datasets::Edit>& edits) {
   }
   endStroke();
   prepare();
+}
+
+void CutController::letGo() {
+  let_go_ = let_go_ || key_;
+  key_ = false;
+  shared_.session.holdCut(false);
+}
+
+bool CutController::hasCut() {
+  takeCuts();
+  return removed_.voxels > 0;
 }
 
 void CutController::showTissues() {

@@ -43,6 +43,10 @@ class CutController : public QObject {
   void showLive();
   /// Says again how a burr cuts in the present scene, if one can.
   void tellLaw();
+  /// As if the key were released, until it is: the stroke under way ends, and becomes an edit.
+  void letGo();
+  /// Whether something was cut that is in no stroke yet.
+  bool hasCut();
   /// During a replay nothing is cut.
   void setReplaying(bool replaying);
   /// Calls `then` when nothing was cut in the scene, if need be in a new one: a recording knows a
@@ -92,6 +96,7 @@ class CutController : public QObject {
   std::optional<CarvedCopy> live_;  ///< for the eye; none: not yet, or nothing cuts
   bool cut_ = false;                ///< something was cut in the scene
   bool key_ = false;                ///< of the burr is down
+  bool let_go_ = false;             ///< it is down, and does not count
   bool replaying_ = false;
   std::vector<haptics::BurrCut> stroke_;  ///< under way
   haptics::Removed removed_;              ///< by it

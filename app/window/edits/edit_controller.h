@@ -57,6 +57,8 @@ class EditController : public QObject {
   /// A stroke that was made in the scene with this id, and is felt already where that is the
   /// present one.
   void addStroke(const datasets::Stroke& stroke, std::uint64_t scene);
+  /// Whether one of them is not on view yet.
+  bool hasStrokes() const { return jobs_.hasStrokes(); }
   /// What it takes to cut structures.
   void setTissues(const datasets::TissueTable& table) { want({EditQueue::Step::Apply, {table}}); }
   /// Takes the last edit back, or makes it again.

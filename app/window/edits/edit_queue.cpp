@@ -60,6 +60,11 @@ void EditQueue::want(Job job) {
   startNext();
 }
 
+bool EditQueue::hasStrokes() const {
+  const auto isStroke = [](const Job& job) { return job.felt_in != 0; };
+  return (running_ && isStroke(*running_)) || std::ranges::any_of(queue_, isStroke);
+}
+
 void EditQueue::cancel() {
   cancelWait();
   task_.cancel();

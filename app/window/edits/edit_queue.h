@@ -58,6 +58,8 @@ class EditQueue : public QObject {
   bool isBusy() const {
     return running_.has_value() || held_.has_value() || !queue_.empty() || painter_.isRunning();
   }
+  /// Whether a stroke of a burr is not in `shared.shown` yet.
+  bool hasStrokes() const;
   /// Whether jobs wait for their turn.
   bool hasMore() const { return !queue_.empty(); }
   /// The history of the scan; null: there was no edit yet, or the thread of a job has it.

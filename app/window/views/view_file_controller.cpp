@@ -348,7 +348,8 @@ ViewFileController::Leave ViewFileController::leave(Leaving what,
   const bool marks = what == Leaving::Window && marks_.areUnsaved();
   const int elsewhere = what == Leaving::Window ? marks_.scansUnsaved() : 0;
   const std::vector<std::string> present = editsOnView();
-  const bool edits = !present.empty() && present != edits_in_file_;
+  const bool strokes = strokes_.end();
+  const bool edits = strokes || (!present.empty() && present != edits_in_file_);
   if (!marks && !edits && elsewhere == 0) return Leave::Now;
   const QString consequence = what == Leaving::Window ? tr("They are lost when the window closes.")
                               : what == Leaving::Scan
@@ -373,8 +374,10 @@ ViewFileController::Leave ViewFileController::leave(Leaving what,
     case ui::Unsaved::Save:
       break;
   }
-  if (!saveOrAsk()) return Leave::Stay;
-  then_ = std::move(then);
+  strokes_.whenEdits([this, then = std::move(then)] {
+    if (!saveOrAsk()) return then(false);
+    then_ = then;
+  });
   return Leave::AfterSaving;
 }
 

@@ -45,6 +45,15 @@ class ViewFileController : public QObject {
   };
   void setKnown(Known known) { known_ = std::move(known); }
 
+  /// What a burr cuts: an edit that is not on view yet.
+  struct Strokes {
+    /// Ends the stroke under way; whether there is one, or one before that is no edit yet.
+    std::function<bool()> end = [] { return false; };
+    /// Calls this when all are edits, at once or later.
+    std::function<void(std::function<void()> then)> whenEdits = [](const auto& then) { then(); };
+  };
+  void setStrokes(Strokes strokes) { strokes_ = std::move(strokes); }
+
   /// Opens a file of a view. If the scan on view is not the one, the scan is opened first: from the
   /// place that the file tells, or from that where it was open before. If it is not found, the
   /// user can choose it.
@@ -58,8 +67,8 @@ class ViewFileController : public QObject {
   bool saveOrAsk();
   bool askAndSave();
   enum class Leave { Now, Stay, AfterSaving };
-  /// Asks about what is in no file and would be lost, if there is something. If the user saves it
-  /// first, `then` is called when that is done, with whether it was.
+  /// Asks about what is in no file and would be lost, if there is something; a stroke under way
+  /// ends. If the user saves it first, `then` is called when that is done, with whether it was.
   Leave leave(Leaving what, std::function<void(bool saved)> then);
   /// Saves to this file; `with_place`: with the scan's place relative to it.
   void save(const std::filesystem::path& path, bool with_place);
@@ -124,6 +133,7 @@ class ViewFileController : public QObject {
   bool known_tried_ = false;            ///< where the scan was open before
   bool placing_ = false;                ///< the tool goes to its place once it is there
   Known known_;
+  Strokes strokes_;
   background::Task<std::filesystem::path> tool_seeker_;
   std::filesystem::path saved_as_;  ///< of the scan on view; empty: no file yet
   bool saved_with_place_ = false;

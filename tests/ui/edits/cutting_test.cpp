@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QProcess>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <QToolButton>
@@ -22,13 +23,16 @@
 #include "app/recording/cut_words.h"
 #include "app/recording/recording.h"
 #include "app/recording/replay.h"
+#include "app/view_file/view_file.h"
 #include "app/window/edits/edit_controller.h"
 #include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
 #include "app/window/structures/structures_controller.h"
+#include "app/window/views/view_file_controller.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
+#include "tests/ui/answers.h"
 #include "tests/ui/edits/editing.h"
 #include "tests/ui/fake_program.h"
 #include "tests/ui/views/sphere_in_hand.h"
@@ -67,6 +71,11 @@ class Cutting : public window::Editing {
   /// has removed so much more, and lets the key go. The tool stays in contact.
   void cut(double aside_mm, double mm3);
   void lift();
+  /// After a question: without a window manager the window does not become active by itself.
+  void comeBack() {
+    window().activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
+  }
 
   static constexpr double kFront_mm = -10.0;  ///< y of the plate's front; it is 20 mm thick
 };
@@ -492,6 +501,112 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   const QImage last(scans_.filePath(pictures.last()));
   window::keep(last, "film_of_cuts");
   EXPECT_GT(window::count(last, cutColoured), 60);
+}
+
+// A stroke under way ends first, and counts.
+TEST_F(Cutting, ThatIsInNoFileIsAskedAboutBeforeTheWindowCloses) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  const QString path = scans_.filePath("cut.palpate-view");
+  lift();
+  pullTip(at(5.0));
+  holdKey(true);
+  ASSERT_TRUE(waitFor([&] { return removed_mm3() > 15.0; })) << state().toStdString();
+  EXPECT_EQ(strokes(), 0U);
+  {
+    const window::Answer answer("Cancel");
+    window().close();
+    EXPECT_TRUE(answer.said.contains("edits of this scan are not saved"))
+        << answer.said.toStdString();
+  }
+  EXPECT_TRUE(window().isVisible());
+  comeBack();
+  ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
+  settle();
+  EXPECT_FALSE(application_->snapshot().cuts);
+  EXPECT_FALSE(isThere(at(1.0)));
+  window().views().setCross(at(3.0));
+  expectTheSameEverywhere();
+  lift();
+  undo();
+  EXPECT_TRUE(isThere(at(1.0)));
+  redo();
+  // one that is saved first is in the file
+  holdKey(false);
+  ASSERT_TRUE(isReady());
+  pullTip(at(-6.0, 5.0));
+  pullTip(at(5.0, 5.0));
+  const double before = removed_mm3();
+  holdKey(true);
+  ASSERT_TRUE(waitFor([&] { return removed_mm3() > before + 3.0; })) << state().toStdString();
+  EXPECT_EQ(strokes(), 1U);
+  {
+    const window::Answer answer("Save");
+    const window::FileName name(path);
+    window().close();
+    EXPECT_TRUE(waitFor([&] { return !window().isVisible(); }));
+  }
+  EXPECT_EQ(app::readViewFile(path.toStdString())->edits.size(), 2U);
+}
+
+TEST_F(Cutting, ThatIsInNoFileIsAskedAboutBeforeAnotherScanTakesItsPlace) {
+  const auto path = std::filesystem::path(scans_.path().toStdString()) / "another.nrrd";
+  const auto another = window::volumeOf(window::cubeGrid(40), haptics::ScalarType::Int16,
+                                        window::ball({0, 0, 0}, 0.012));
+  ASSERT_TRUE(datasets::writeNrrd(*another, path).has_value());
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  const auto drop = [&] { emit window().dropped({QString::fromStdString(path.string())}); };
+  const auto expectQuestion = [&](const char* button) {
+    const window::Answer answer(button);
+    drop();
+    EXPECT_TRUE(waitFor([&] { return !answer.said.isEmpty(); }));
+    EXPECT_TRUE(answer.said.contains("edits of this scan are not saved"))
+        << answer.said.toStdString();
+    comeBack();
+  };
+  lift();
+  pullTip(at(5.0));
+  holdKey(true);
+  ASSERT_TRUE(waitFor([&] { return removed_mm3() > 15.0; })) << state().toStdString();
+  EXPECT_EQ(strokes(), 0U);
+  expectQuestion("Cancel");  // under way
+  ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
+  settle();
+  EXPECT_FALSE(isThere(at(1.0)));
+  holdKey(false);
+  expectQuestion("Cancel");  // ended
+  settle();
+  EXPECT_EQ(strokes(), 1U);
+  EXPECT_FALSE(isThere(at(1.0)));
+  EXPECT_TRUE(window().windowTitle().startsWith("plate"));
+  // what is lost with the user's word is lost
+  ASSERT_TRUE(isReady());
+  holdKey(true);
+  const double before = removed_mm3();
+  pullTip(at(8.0));
+  ASSERT_TRUE(waitFor([&] { return removed_mm3() > before + 2.0; })) << state().toStdString();
+  expectQuestion("Discard");
+  holdKey(false);
+  ASSERT_TRUE(waitFor([&] { return !window().windowTitle().startsWith("plate"); }));
+  EXPECT_EQ(strokes(), 0U);
+  EXPECT_EQ(application_->shown()->volume()->derivation, nullptr);
+  emit window().dropped({scans_.filePath("plate.nrrd")});
+  ASSERT_TRUE(waitFor([&] { return window().windowTitle().startsWith("plate"); }));
+  ASSERT_TRUE(isReady());
+  EXPECT_GE(felt(at(1.0)), isovalue_);
+  // and one that is saved is not asked about
+  cut(0.0, 5.0);
+  ASSERT_FALSE(HasFatalFailure());
+  QSignalSpy finished(&application_->viewFile(), &app::ViewFileController::finished);
+  application_->viewFile().save(scans_.filePath("cut.palpate-view").toStdString(), false);
+  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }));
+  EXPECT_TRUE(finished[0][0].toBool());
+  const window::Answer answer("Cancel");
+  drop();
+  EXPECT_TRUE(waitFor([&] { return !window().windowTitle().startsWith("plate"); }));
+  EXPECT_TRUE(window().close());
+  EXPECT_TRUE(answer.said.isEmpty()) << answer.said.toStdString();
 }
 
 }  // namespace

@@ -31,6 +31,7 @@
 #include "datasets/edits/edit_history.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
+#include "tests/ui/answers.h"
 #include "tests/ui/views/marked_scan.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "ui/controls/number_box.h"
@@ -48,6 +49,8 @@ namespace {
 
 using haptics::Vec3;
 using ui::MeasureKind;
+using window::Answer;
+using window::FileName;
 using window::waitFor;
 
 namespace fs = std::filesystem;
@@ -108,22 +111,6 @@ std::vector<ui::Measure> someMarks() {
   return {{MeasureKind::Distance, "Width", {{-5.25, 1, 2}, {10, 1, 2}}},
           {MeasureKind::Note, "thin wall", {{3, -7, 5}}}};
 }
-
-/// Answers the next question, and tells what it said.
-struct Answer {
-  explicit Answer(const char* button) {
-    QObject::connect(&timer, &QTimer::timeout, [this, button] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (box == nullptr) return;
-      said = box->text() + " " + box->informativeText();
-      for (QAbstractButton* choice : box->buttons())
-        if (choice->text().remove('&').startsWith(button)) return choice->click();
-    });
-    timer.start(20);
-  }
-  QTimer timer;
-  QString said;
-};
 
 TEST(ViewFiles, AViewComesBackOverTheSameScan) {
   const Installation here;
@@ -597,22 +584,6 @@ TEST(ViewFiles, SavingAgainAsksNothingAndTheFirstNameNamesNobody) {
   EXPECT_EQ(app::readViewFile(folder.filePath("chosen.palpate-view").toStdString())->marks.size(),
             2U);
 }
-
-/// Types a name into the next file dialog.
-struct FileName {
-  explicit FileName(const QString& path) {
-    QObject::connect(&timer, &QTimer::timeout, [this, path] {
-      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      if (dialog == nullptr) return;
-      timer.stop();
-      auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-      name->setText(path);
-      QTest::keyClick(name, Qt::Key_Return);
-    });
-    timer.start(20);
-  }
-  QTimer timer;
-};
 
 TEST(ViewFiles, ClosingAsksAboutMarksThatAreInNoFile) {
   const Installation here;
