@@ -13,6 +13,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -131,6 +132,42 @@ TEST(Controllers, AToolAndAFieldAreWantedForTheVolumeOnView) {
   EXPECT_EQ(wanted.count(), 2);
   EXPECT_EQ(request->tool->name, shared.shown->tool.name);
   EXPECT_EQ(shared.options.field, haptics::FieldKind::CubicSpline);
+}
+
+TEST(Controllers, TheToolInUseIsNotPreparedAnew) {
+  app::SharedState shared;
+  ui::DevicePanel panel;
+  QMenu entries;
+  ui::SidePanel panels(entries);
+  app::ToolController controller(panel, panels, shared);
+  QSignalSpy wanted(&controller, &app::ToolController::wanted);
+  shared.shown = loadedSphere();
+  shared.shown->tool = {.name = "probe"};
+  controller.show();
+  const auto click = [&](const char* tile) {
+    QTest::mouseClick(panel.findChild<QToolButton*>(tile), Qt::LeftButton);
+  };
+  auto* probe = panel.findChild<QToolButton*>("tile-probe");
+  EXPECT_TRUE(probe->isChecked());
+  click("tile-probe");
+  EXPECT_EQ(wanted.count(), 0);
+  EXPECT_TRUE(probe->isChecked());
+  // until another has come it can be had back
+  click("tile-hook");
+  click("tile-hook");
+  EXPECT_EQ(wanted.count(), 1);
+  click("tile-probe");
+  EXPECT_EQ(wanted.count(), 2);
+  controller.show();
+  click("tile-probe");
+  EXPECT_EQ(wanted.count(), 2);
+  // a file that is chosen again is read again: it may have changed
+  shared.shown->tool = {.name = "peg.obj", .file = "peg.obj"};
+  controller.show();
+  click("tile-peg.obj");
+  EXPECT_EQ(wanted.count(), 2);
+  emit panel.toolFileChosen("peg.obj", "mm");
+  EXPECT_EQ(wanted.count(), 3);
 }
 
 TEST(Controllers, AHandIsOpenedWithTheSceneAndChangedUnlessARecordingIsOnView) {

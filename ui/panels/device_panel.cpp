@@ -118,7 +118,6 @@ DevicePanel::DevicePanel(QWidget* parent)
   connect(hands_, &QComboBox::activated, this,
           [this](int i) { emit handChosen(hands_->itemData(i).toString()); });
   connect(tools_, &ToolList::toolChosen, this, &DevicePanel::toolChosen);
-  connect(tiles_, &ToolTiles::toolChosen, this, &DevicePanel::toolChosen);
   connect(tools_, &ToolList::fileWanted, this, &DevicePanel::chooseFile);
   connect(fields_, &QComboBox::activated, this,
           [this](int i) { emit fieldChosen(fields_->itemData(i).toString()); });

@@ -45,6 +45,8 @@ ToolController::ToolController(ui::DevicePanel& panel, ui::SidePanel& panels, Sh
   panel.setFields({{kTrilinear, tr("As scanned")}, {kSpline, tr("Smoothed")}});
   connect(&panel, &ui::DevicePanel::toolChosen, this,
           [this](const QString& id) { changeTool(toolNamed(id.toStdString())); });
+  connect(&panel.tiles(), &ui::ToolTiles::toolChosen, this,
+          [this](const QString& id) { chooseTile(id.toStdString()); });
   connect(&panel, &ui::DevicePanel::toolFileFound, this, &ToolController::askForUnit);
   connect(&panel, &ui::DevicePanel::toolFileChosen, this,
           [this](const QString& path, const QString& unit) {
@@ -59,6 +61,7 @@ ToolController::ToolController(ui::DevicePanel& panel, ui::SidePanel& panels, Sh
 }
 
 void ToolController::show() {
+  coming_.clear();
   if (!shared_.shown) return;
   panel_.tools().setEnabled(true);
   panel_.tiles().setEnabled(true);
@@ -82,8 +85,16 @@ ToolSource ToolController::toolNamed(const std::string& name) const {
   return {.name = name};
 }
 
+void ToolController::chooseTile(const std::string& name) {
+  if (!shared_.shown) return;
+  // while another is prepared, the one in use is wanted back
+  if (name != (coming_.empty() ? shared_.shown->tool.name : coming_)) changeTool(toolNamed(name));
+}
+
 void ToolController::changeTool(const ToolSource& tool) {
-  if (shared_.shown) emit wanted(requestWith(tool), tr("Preparing the tool"));
+  if (!shared_.shown) return;
+  coming_ = tool.name;
+  emit wanted(requestWith(tool), tr("Preparing the tool"));
 }
 
 void ToolController::askForUnit(const QString& path) {

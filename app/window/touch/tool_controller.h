@@ -39,11 +39,14 @@ class ToolController : public QObject {
   void showField();
   /// A tool of the list: the one on view, which may be a file, or a named one.
   ToolSource toolNamed(const std::string& name) const;
+  /// The user clicked on a tile: the tool in use stays as it is.
+  void chooseTile(const std::string& name);
   /// A request for the volume on view with this tool.
   LoadRequest requestWith(const ToolSource& tool) const;
 
   ui::DevicePanel& panel_;
   SharedState& shared_;
+  std::string coming_;  ///< tool that is being prepared; empty: none
   background::Task<std::array<double, 3>> sizer_;
   QTimer rest_;  ///< fires when the isovalue has rested
 };
