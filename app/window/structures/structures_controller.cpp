@@ -205,6 +205,7 @@ void StructuresController::show() {
 void StructuresController::sort(const QStringList& paths) {
   if (!shared_.shown || paths.size() != 1) return emit scanWanted(paths);
   const std::filesystem::path path = paths.first().toStdString();
+  sorted_ = paths;
   // what is asked about the file waits for no disk here
   sorter_.start(
       [path, scan = scanOf(shared_.shown->volume()),
@@ -212,6 +213,7 @@ void StructuresController::sort(const QStringList& paths) {
         return kindOf(path, *scan, place);
       },
       [this, paths, path](haptics::Expected<ui::OpenedAs> kind) {
+        sorted_.clear();
         ui::OpenedAs as = kind.value_or(ui::OpenedAs::Scan);
         if (as == ui::OpenedAs::Cancel)
           as = messages_.askHowToOpen(QFileInfo(paths.first()).fileName());
@@ -601,9 +603,9 @@ void StructuresController::showScene() {
   const auto scan = scanOf(shared_.shown->volume());
   if (scan_.lock() == scan) return showCutting();
   scan_ = scan;
-  sorter_.abandon();
   reader_.abandon();
   close();
+  if (!sorted_.isEmpty()) sort(sorted_);  // it may be of this scan, or the next
   offerFound();
   const std::string phantom = std::exchange(awaited_, {});
   if (phantom.empty() || !shared_.shown->place.empty()) return;

@@ -175,6 +175,7 @@ class StructuresController : public QObject {
   ui::StructureFeel feel_;  ///< with the numbers that were chosen last
   background::Task<datasets::TissueTable> tissue_maker_;
   background::Task<ui::OpenedAs> sorter_;
+  QStringList sorted_;  ///< what the sorter is at; empty: nothing
 };
 
 }  // namespace app

@@ -698,4 +698,26 @@ TEST_F(Opening, AnArchiveIsListedAndLeavesNothingBehind) {
   EXPECT_TRUE(QDir(temporary.path()).isEmpty());
 }
 
+// Whether it is structures of the scan on view is still being looked at.
+TEST_F(Opening, WhatIsDroppedOrOpenedAsAnotherScanComesOnViewIsOpenedToo) {
+  const auto scan = anyScans() / "philips_head_phantom/bone_1mm";
+  for (const bool dropped : {true, false}) {
+    app::Application& application = started();
+    QObject once;
+    QObject::connect(&application, &app::Application::adopted, &once, [&] {
+      QObject::disconnect(&application, nullptr, &once, nullptr);
+      if (dropped)
+        drop({scan});
+      else
+        open(scan);
+    });
+    const QString before = title();
+    emit application.window().menus().phantomWanted("torus");
+    ASSERT_TRUE(waitFor([&] { return title() != before; }));
+    const QString torus = title();
+    EXPECT_TRUE(waitFor([&] { return title() != torus; }));
+    EXPECT_EQ(application.shown()->place.filename(), scan.filename());
+  }
+}
+
 }  // namespace
