@@ -38,6 +38,7 @@
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/window_support.h"
 #include "ui/controls/number_box.h"
+#include "ui/panels/cut_panel.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/views/volume_view.h"
@@ -238,7 +239,7 @@ TEST_F(Cutting, IsHeardWhileTheBurrTurnsIfTheUserWantsIt) {
     return end.count('\0') == end.size();
   };
   EXPECT_TRUE(waitFor(isQuiet));
-  keepWindow("cut_with_sound");
+  window::keep(window::panelOf<ui::CutPanel>(window()).grab().toImage(), "cut_with_sound");
   const auto before = player.written("heard").size();
   cut(6.0, 2.0);
   ASSERT_FALSE(HasFatalFailure());
