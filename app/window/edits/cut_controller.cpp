@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <ranges>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -17,6 +17,8 @@
 #include "resources/named_tools.h"
 #include "ui/controls/bindings.h"
 #include "ui/views/volume_view.h"
+#include "ui/window/messages.h"
+#include "ui/window/views.h"
 
 namespace app {
 namespace {
@@ -83,7 +85,7 @@ haptics::CutLaw CutController::lawOf(const resources::NamedTool& burr) const {
   material.bands[0].energy = numbers.energy_J_mm3 * kMm3PerM3;
   for (const ui::BurrBand& band : numbers.bands)
     material.bands[material.count++] = {band.from, band.energy_J_mm3 * kMm3PerM3};
-  std::ranges::sort(material.bands | std::views::take(material.count) | std::views::drop(1), {},
+  std::ranges::sort(std::span{material.bands}.first(material.count).subspan(1), {},
                     &haptics::Material::Band::from);
   return law;
 }
