@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/views/picture_controller.h"
 
-#include <vtkPolyData.h>
-
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 
 #include "app/window/scan/touched_surface.h"
 #include "ui/views/volume_view.h"
@@ -15,8 +12,6 @@ namespace {
 
 constexpr int kDisplayMs = 16;  // 60 Hz
 constexpr std::size_t kSamplesAtOnce = 4096;
-// A fine mesh of more voxels than this would take seconds to draw where there is no GPU.
-constexpr std::int64_t kFineVoxels = 24'000'000;
 
 }  // namespace
 
@@ -32,7 +27,7 @@ PictureController::PictureController(ui::Views& views, ui::TouchState& touch, Sh
   });
   connect(&touch, &ui::TouchState::handNamed, panel_,
           [this](const QString& label) { panel_->setHand(label); });
-  connect(&views.volume(), &ui::VolumeView::fineMeshWanted, this, &PictureController::makeFineMesh);
+  mesher_.serve(views.volume());
   display_.setInterval(kDisplayMs);
   display_.setTimerType(Qt::PreciseTimer);
   connect(&display_, &QTimer::timeout, this, &PictureController::refresh);
@@ -78,29 +73,6 @@ void PictureController::showForces() {
     appendForces(std::span{samples_}.first(count));
     if (count < samples_.size()) break;
   }
-}
-
-void PictureController::makeFineMesh(double isovalue) {
-  // the one on view: in a replay it is not the one that is touched
-  const ui::Picture& picture = views_.volume().picture();
-  if (!picture.volume) return;
-  mesh_next_ = isovalue;
-  if (mesher_.isRunning()) return;
-  mesh_next_.reset();
-  mesher_.start(
-      [isovalue, volume = picture.volume, mirrored = picture.mirrored()](
-          const background::Watch&) -> haptics::Expected<vtkSmartPointer<vtkPolyData>> {
-        background::goLast();  // an edit or another volume comes first
-        // closed at the cut faces, which are felt too
-        return ui::isosurfaceMesh(ui::reducedImageOf(*volume, kFineVoxels), isovalue, mirrored);
-      },
-      [this, isovalue,
-       volume = picture.volume](const haptics::Expected<vtkSmartPointer<vtkPolyData>>& mesh) {
-        // without one the reduced mesh stays
-        const bool same = views_.volume().picture().volume == volume;
-        if (same && mesh && *mesh) views_.volume().showFine(*mesh, isovalue);
-        if (mesh_next_ && !(same && *mesh_next_ == isovalue)) makeFineMesh(*mesh_next_);
-      });
 }
 
 }  // namespace app

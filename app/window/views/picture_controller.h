@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vtkSmartPointer.h>
-
 #include <QObject>
 #include <QTimer>
 #include <functional>
@@ -11,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/background/task.h"
 #include "app/window/scan/shared_state.h"
+#include "app/window/views/fine_mesher.h"
 #include "ui/panels/force_panel.h"
 #include "ui/window/touch_state.h"
 #include "ui/window/views.h"
@@ -52,7 +50,6 @@ class PictureController : public QObject {
   void refresh();
   std::optional<ui::TouchedValue> touchedIn(const haptics::Snapshot& snapshot) const;
   void showForces();
-  void makeFineMesh(double isovalue);
 
   ui::Views& views_;
   ui::TouchState& touch_;
@@ -62,8 +59,7 @@ class PictureController : public QObject {
   std::function<QString(const Eigen::Vector3d&)> solid_at_ = [](const auto&) { return QString{}; };
   std::vector<haptics::ForceSample> samples_;
   bool look_ = false;
-  background::Task<vtkSmartPointer<vtkPolyData>> mesher_;
-  std::optional<double> mesh_next_;  ///< isovalue of the next mesh, while another is being made
+  FineMesher mesher_;
 };
 
 }  // namespace app
