@@ -33,6 +33,7 @@
 #include "app/window/touch/isosurface_controller.h"
 #include "app/window/touch/measurement_controller.h"
 #include "app/window/touch/tool_controller.h"
+#include "app/window/views/before_controller.h"
 #include "app/window/views/grey_keeper.h"
 #include "app/window/views/journal_controller.h"
 #include "app/window/views/marks_controller.h"
@@ -74,6 +75,7 @@ class Application::Parts : public QObject {
   CutController cut{window, shared};
   GreyKeeper grey{window.views().slices(), shared};
   PictureController picture{window.views(), window.touch(), shared};
+  BeforeController before{window.views(), window.messages(), shared};
   DeviceController device;
   MeasurementController measurement{window.panels(), shared};
   MarksController marks{window.views(), window.menus(),  window.panels(),
@@ -240,6 +242,7 @@ void Application::Parts::showScene(bool new_volume) {
   replay.showScene();
   edit.showScene();
   cut.showScene(edit.edits());
+  before.showScene();
   hand.resume();  // after the panels: a hand that cannot be opened has the last word
   device.openWaiting();
   screenshot.prepare(new_volume);

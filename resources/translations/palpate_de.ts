@@ -3424,6 +3424,29 @@
     </message>
 </context>
 <context>
+    <name>ui::BeforeView</name>
+    <message>
+        <source>Unedited scan</source>
+        <translation>Unbearbeitete Aufnahme</translation>
+    </message>
+    <message>
+        <source>Before: unedited scan</source>
+        <translation>Vorher: unbearbeitete Aufnahme</translation>
+    </message>
+    <message>
+        <source>After: what is left</source>
+        <translation>Nachher: was übrig ist</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+</context>
+<context>
     <name>ui::BoxDialog</name>
     <message>
         <source>2nd</source>
@@ -3688,6 +3711,14 @@
     <message>
         <source>There is no program that plays a sound as it is made: install the utilities of PulseAudio or ALSA</source>
         <translation>Es gibt kein Programm, das einen Ton spielt, während er entsteht: Installieren Sie die Hilfsprogramme von PulseAudio oder ALSA</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>The unedited scan beside what is left of it, seen from the same place</source>
+        <translation>Die unbearbeitete Aufnahme neben dem, was von ihr übrig ist, von derselben Stelle gesehen</translation>
     </message>
 </context>
 <context>
@@ -8379,6 +8410,14 @@
         <source>Contacts and &amp;force</source>
         <translation>Kon&amp;takte und Kraft</translation>
     </message>
+    <message>
+        <source>&amp;Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>The unedited scan beside what is left of it, seen from the same place</source>
+        <translation>Die unbearbeitete Aufnahme neben dem, was von ihr übrig ist, von derselben Stelle gesehen</translation>
+    </message>
 </context>
 <context>
     <name>ui::ViewFrame</name>
@@ -9061,6 +9100,10 @@
     <message>
         <source>turns the burr, which cuts what it is pressed against</source>
         <translation>dreht den Bohrer, der schneidet, wogegen er gedrückt wird</translation>
+    </message>
+    <message>
+        <source>shows the unedited scan beside what is left, or hides it</source>
+        <translation>zeigt die unbearbeitete Aufnahme neben dem, was übrig ist, oder verbirgt sie</translation>
     </message>
 </context>
 </TS>

@@ -145,8 +145,7 @@ TEST_F(StartPage, AnEmptyWindowOffersThreeWaysToBeginAndTheDemoIsOneClickAway) {
   const QImage seen = window::pictureOf(window());
   window::keep(seen, "start_page");
   // a picture of the window has the cards, not the view that they cover
-  const QImage picture =
-      ui::screenshotOf(window(), window().views().volume(), {.whole_window = true});
+  const QImage picture = ui::screenshotOf(window(), window().views(), {.whole_window = true});
   EXPECT_LT(window::differing(picture, seen, 8), 0.002);
   window().activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));

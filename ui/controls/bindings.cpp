@@ -94,6 +94,8 @@ std::vector<Binding> allBindings() {
       key(Anywhere, Key_F1, WORDS("shows the help for the focused control"), ShowHelp, "help"),
       key(Anywhere, SHIFT | Key_F1, WORDS("shows all controls"), ShowControls, "controls"),
       key(Anywhere, Key_F6, WORDS("selects the next view"), NextView, "next_view"),
+      key(Anywhere, CTRL | Key_B, WORDS("shows the unedited scan beside what is left, or hides it"),
+          BeforeAfter, "before_after"),
       key(Anywhere, Key_M, WORDS("while recording: sets a mark"), SetMark, "mark"),
       key(Anywhere, Key_G, WORDS("takes the tool with the mouse, or lets it go"), TakeTool,
           "take_tool"),

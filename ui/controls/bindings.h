@@ -74,6 +74,7 @@ enum class Action {
   ViewSuperior,
   ViewInferior,
   ParallelProjection,
+  BeforeAfter,
   // slices
   NextSlice,
   SliceBefore,

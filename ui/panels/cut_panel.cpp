@@ -54,7 +54,8 @@ CutPanel::CutPanel(QWidget* parent)
       redo_(new QPushButton(tr("Redo"))),
       vibration_(new QCheckBox(tr("Vibration"))),
       sound_(new QCheckBox(tr("Sound of the burr"))),
-      tint_(new QCheckBox(tr("Colour what was cut"))) {
+      tint_(new QCheckBox(tr("Colour what was cut"))),
+      before_after_(new QCheckBox(tr("Before and after"))) {
   state_->setObjectName("cutState");
   removed_->setObjectName("cutRemoved");
   tissues_->setObjectName("cutTissues");
@@ -69,6 +70,7 @@ CutPanel::CutPanel(QWidget* parent)
   tint_->setObjectName("cutTint");
   tint_->setChecked(true);
   tint_->setToolTip(tr("Faces that a burr has cut stand out"));
+  before_after_->setObjectName("cutBeforeAfter");
   speed_->setToolTip(tr("Turns in a minute: a faster burr removes more with the same force"));
   sound_->setObjectName("burrSound");
   setSoundPossible(true);
@@ -76,6 +78,9 @@ CutPanel::CutPanel(QWidget* parent)
   whenKeysChange(*this, [this] {
     undo_->setToolTip(withKey(tr("Takes the last stroke or edit back"), Action::Undo));
     redo_->setToolTip(withKey(tr("Makes the stroke or edit again"), Action::Redo));
+    before_after_->setToolTip(
+        withKey(tr("The unedited scan beside what is left of it, seen from the same place"),
+                Action::BeforeAfter));
     shown_force_ = -1.0;
     showState(shown_);
   });
@@ -99,6 +104,7 @@ CutPanel::CutPanel(QWidget* parent)
   column->addWidget(vibration_);
   column->addWidget(sound_);
   column->addWidget(tint_);
+  column->addWidget(before_after_);
   for (NumberBox* number : {speed_, energy_})
     connect(number, &NumberBox::valueChanged, this, &CutPanel::numbersChanged);
   connect(undo_, &QPushButton::clicked, this, &CutPanel::undoWanted);
@@ -106,9 +112,11 @@ CutPanel::CutPanel(QWidget* parent)
   connect(vibration_, &QCheckBox::toggled, this, &CutPanel::numbersChanged);
   connect(tint_, &QCheckBox::toggled, this, &CutPanel::tintChosen);
   connect(sound_, &QCheckBox::toggled, this, &CutPanel::soundChosen);
+  connect(before_after_, &QCheckBox::toggled, this, &CutPanel::beforeAfterChosen);
   setSteps(false, false);
   show(CutTold{});
   showTissues(0, 0);
+  setBeforeAfter(false, false);
 }
 
 QWidget* CutPanel::buildBands() {
@@ -256,6 +264,11 @@ void CutPanel::show(const CutTold& told) {
 void CutPanel::setSteps(bool undo, bool redo) {
   undo_->setEnabled(undo);
   redo_->setEnabled(redo);
+}
+
+void CutPanel::setBeforeAfter(bool on, bool possible) {
+  before_after_->setChecked(on);
+  before_after_->setEnabled(possible);
 }
 
 bool CutPanel::tint() const { return tint_->isChecked(); }

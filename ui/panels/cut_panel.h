@@ -70,6 +70,8 @@ class CutPanel : public QWidget {
   bool tint() const;
   /// Whether the system can play the sound of the burr.
   void setSoundPossible(bool possible);
+  /// Whether the unedited scan is shown beside what is left.
+  void setBeforeAfter(bool on, bool possible);
 
  signals:
   void burrChosen(const QString& id);
@@ -79,6 +81,7 @@ class CutPanel : public QWidget {
   void tintChosen(bool on);
   /// Whether the burr is to be heard.
   void soundChosen(bool on);
+  void beforeAfterChosen(bool on);
 
  private:
   /// A row of the table of materials.
@@ -99,7 +102,7 @@ class CutPanel : public QWidget {
   double least_ = 0.0, greatest_ = 0.0;  ///< values of the scan
   QString unit_;
   QPushButton *undo_, *redo_;
-  QCheckBox *vibration_, *sound_, *tint_;
+  QCheckBox *vibration_, *sound_, *tint_, *before_after_;
   State shown_ = State::Preparing;
   double shown_force_ = -1.0;
 };

@@ -34,7 +34,7 @@ Viewport::Viewport(QWidget* parent)
     : QOpenGLWidget(parent), window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()) {
   setUpdateBehavior(QOpenGLWidget::NoPartialUpdate);
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(160, 120);
+  setMinimumSize(kLeast);
   // VTK renders into its own framebuffer in Qt's context; paintGL moves the result
   window_->SetReadyForRendering(false);
   window_->SetFrameBlitModeToNoBlit();

@@ -5,6 +5,7 @@
 
 #include <QImage>
 #include <QOpenGLWidget>
+#include <QSize>
 #include <QString>
 #include <optional>
 
@@ -31,6 +32,7 @@ class Viewport : public QOpenGLWidget {
  public:
   /// Sets the surface format that VTK needs. Call it before the QApplication is made.
   static void prepareApplication();
+  static constexpr QSize kLeast{160, 120};  ///< of a view that nobody made smaller
 
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;

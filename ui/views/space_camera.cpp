@@ -177,6 +177,14 @@ void SpaceCamera::lookAt(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& fro
   setParallel(parallel, box_mm);
 }
 
+void SpaceCamera::take(const SpaceCamera& other) {
+  vtkCamera& of = *other.camera_;
+  set(Eigen::Vector3d{of.GetPosition()}, Eigen::Vector3d{of.GetFocalPoint()});
+  camera_->SetViewUp(of.GetViewUp());
+  camera_->SetParallelProjection(of.GetParallelProjection());
+  camera_->SetParallelScale(of.GetParallelScale());
+}
+
 double SpaceCamera::distance() const { return camera_->GetParallelScale() / kHalf; }
 
 void SpaceCamera::setParallel(bool parallel, const Eigen::AlignedBox3d& box_mm) {

@@ -47,6 +47,8 @@ class SpaceCamera {
   bool refit();
   /// What is shown is the user's choice: refit() leaves it.
   void keep() { fit_.reset(); }
+  /// Looks as another camera does.
+  void take(const SpaceCamera& other);
   /// Looks at a place from a distance in a direction (unit, towards the viewer).
   void lookAt(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& from, const Eigen::Vector3d& up,
               double distance_mm, const Eigen::AlignedBox3d& box_mm);

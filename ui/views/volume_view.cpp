@@ -198,11 +198,13 @@ void VolumeView::setIsovalue(double isovalue) {
   surface_.setIsovalue(isovalue);
   still_.start();
   redrawSurface();
+  emit lookChanged();
 }
 
 void VolumeView::setColouring(const Colouring& colouring) {
   surface_.setColouring(colouring);
   redrawSurface();
+  emit lookChanged();
 }
 
 void VolumeView::setSecondSurface(std::optional<double> isovalue) {
@@ -305,6 +307,11 @@ void VolumeView::forgetDrawn() {
 }
 
 void VolumeView::cameraMoved() {
+  showMoved();
+  emit cameraChanged();
+}
+
+void VolumeView::showMoved() {
   surface_.setMoving(true);
   still_.start();
   redrawSurface();
@@ -587,11 +594,6 @@ void VolumeView::setCovered(std::vector<QRectF> parts) {
 void VolumeView::addOverlay(Overlay& overlay) {
   overlays_.add(overlay);
   connect(&overlay, &Overlay::changed, this, [this] { emit hintChanged(hint()); });
-}
-
-void VolumeView::resizeEvent(QResizeEvent* event) {
-  Viewport::resizeEvent(event);
-  if (!box_mm_.isEmpty() && camera_.refit()) cameraMoved();
 }
 
 }  // namespace ui

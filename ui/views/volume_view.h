@@ -68,6 +68,7 @@ class VolumeView : public Viewport, public Spoken {
   bool mouseHand() const { return mouse_hand_; }
   /// What it does from now on, and at first whenever the mouse becomes the hand.
   void setMouse(const MouseChoices& mouse);
+  const MouseChoices& mouse() const { return mouse_; }
   void setColouring(const Colouring& colouring);
   /// A second surface, which is seen through and not felt; none: no second.
   void setSecondSurface(std::optional<double> isovalue);
@@ -87,6 +88,7 @@ class VolumeView : public Viewport, public Spoken {
   bool isAtRest() const { return !still_.isActive() && !fine_awaited_; }
   /// The surface that is touched; given with every scene.
   void setTouched(const TouchedSurface& touched) { touched_ = touched; }
+  const TouchedSurface& touched() const { return touched_; }
   /// Draws this above the picture, and asks it first for mouse and keys.
   void addOverlay(Overlay& overlay);
   void resetCamera() { lookFrom(Side::Anterior); }
@@ -98,6 +100,10 @@ class VolumeView : public Viewport, public Spoken {
   void tell(ViewLook& look) const;
   /// Takes the camera of `look`.
   void look(const ViewLook& look);
+  /// Looks as another view does.
+  void follow(const VolumeView& other);
+  /// Words in its upper left corner, or fewer where it has no room for the `widest`; empty: none.
+  void setCaption(const QString& words, const QString& fewer, const QString& widest);
   /// Looks at the tip from behind the tool.
   void lookAlongTool();
   void setParallel(bool parallel);
@@ -143,6 +149,10 @@ class VolumeView : public Viewport, public Spoken {
   void pointedChanged(const QString& words);
   void mouseHandChanged(bool possible);
   void parallelChanged(bool parallel);
+  /// The camera was moved here; follow() is told by nobody.
+  void cameraChanged();
+  /// Another isovalue, or other colours.
+  void lookChanged();
   void clutchHeld(bool held);
   void forceHeld(bool held);
   void cutHeld(bool held);
@@ -182,6 +192,7 @@ class VolumeView : public Viewport, public Spoken {
   /// What was drawn and kept is drawn again.
   void forgetDrawn();
   void cameraMoved();
+  void showMoved();
   void settle();
   void lookAtFirst();
   void frameSurface(const Eigen::Vector3d& from, const Eigen::Vector3d& up);
@@ -214,6 +225,10 @@ class VolumeView : public Viewport, public Spoken {
   bool showsBody(const QRectF& box);
   void paintOver(QPainter& painter) const;
   void paintContacts(QPainter& painter) const;
+  /// Whether there is room for the cube beside the caption.
+  bool showsCube() const;
+  std::optional<Side> cubeSideAt(QPointF at) const;
+  PlatedWords caption() const;
   /// Words below the cube where left and right are not known.
   PlatedWords unknownSides() const;
   /// What the letters at the edges keep clear of.
@@ -250,6 +265,7 @@ class VolumeView : public Viewport, public Spoken {
   };
   BodyCorners body_corners_;
   std::vector<QRectF> covered_;
+  QString caption_, short_caption_, widest_caption_;
   bool mouse_hand_ = false;
   MouseMode mode_ = MouseMode::Look;
   MouseChoices mouse_;

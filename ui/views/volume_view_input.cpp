@@ -215,10 +215,7 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   grasp_.reset();
   event->accept();
   if (overlays_.press(*geometry_, *event)) return;
-  if (event->button() == Qt::LeftButton && !box_mm_.isEmpty()) {
-    const QRectF cube = OrientationCube::placeIn(size());
-    if (OrientationCube::sideAt(press_, cube, viewAxes())) return;  // the release looks from there
-  }
+  if (event->button() == Qt::LeftButton && cubeSideAt(press_)) return;  // the release looks from it
   const bool on_tool = event->button() == Qt::LeftButton && isOnTool(press_);
   const auto action =
       actionOf(Where::Space, mode_, Gesture::Drag, event->button(), event->modifiers(), on_tool);
@@ -229,26 +226,26 @@ void VolumeView::mousePressEvent(QMouseEvent* event) {
   chooseCursor(press_);
 }
 
+std::optional<Side> VolumeView::cubeSideAt(QPointF at) const {
+  if (box_mm_.isEmpty() || !showsCube()) return {};
+  return OrientationCube::sideAt(at, OrientationCube::placeIn(size()), viewAxes());
+}
+
 void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
   if (overlays_.release(*geometry_, *event)) return;
   const bool dragged = grasp_.has_value();
   if (event->buttons() == Qt::NoButton) grasp_.reset();
   chooseCursor(event->position());
-  if (dragged || event->button() != Qt::LeftButton || box_mm_.isEmpty()) return;
-  const QRectF cube = OrientationCube::placeIn(size());
-  const auto pressed = OrientationCube::sideAt(press_, cube, viewAxes());
-  if (pressed && pressed == OrientationCube::sideAt(event->position(), cube, viewAxes()))
-    lookFrom(*pressed);
+  if (dragged || event->button() != Qt::LeftButton) return;
+  const auto pressed = cubeSideAt(press_);
+  if (pressed && pressed == cubeSideAt(event->position())) lookFrom(*pressed);
 }
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (overlays_.doubleClick(*geometry_, *event)) return;
-  const QRectF cube = OrientationCube::placeIn(size());
-  const bool on_cube =
-      !box_mm_.isEmpty() && OrientationCube::sideAt(event->position(), cube, viewAxes());
   const auto action =
       actionOf(Where::Space, mode_, Gesture::DoubleClick, event->button(), event->modifiers());
-  if (on_cube || action != Action::BringTool || isOnTool(event->position()))
+  if (cubeSideAt(event->position()) || action != Action::BringTool || isOnTool(event->position()))
     return mousePressEvent(event);
   bringTool(event->position());
 }
@@ -311,6 +308,13 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
     pushHand(notches);
   else
     zoom(std::pow(kViewZoomNotch, mouse_.zoom_reversed ? -notches : notches), event->position());
+}
+
+void VolumeView::follow(const VolumeView& other) {
+  const bool was_parallel = isParallel();
+  camera_.take(other.camera_);
+  showMoved();
+  if (isParallel() != was_parallel) emit parallelChanged(isParallel());
 }
 
 bool VolumeView::perform(const Binding& meaning) {
@@ -422,6 +426,11 @@ void VolumeView::hold(Action action, bool on, quint32 place) {
     emit forceHeld(on);
   else
     emit cutHeld(on);
+}
+
+void VolumeView::resizeEvent(QResizeEvent* event) {
+  Viewport::resizeEvent(event);
+  if (!box_mm_.isEmpty() && camera_.refit()) cameraMoved();
 }
 
 void VolumeView::leaveEvent(QEvent* event) {

@@ -18,6 +18,7 @@ namespace {
 constexpr double kContactMark = 5.0;     // px, radius
 constexpr double kArrowOfHeight = 0.25;  // of the view's height, for kArrowForce
 constexpr double kArrowForce = 5.0;      // N
+constexpr double kCaptionMargin = 6.0;   // px
 
 using style::kViewGround;
 
@@ -41,7 +42,9 @@ void VolumeView::paintOver(QPainter& painter) const {
     if (contacts_shown_) paintContacts(painter);
     overlays_.paint(painter, *geometry_);
     const Eigen::Matrix3d axes = viewAxes();
-    OrientationCube::paint(painter, OrientationCube::placeIn(size()), axes, orientation_known_);
+    if (showsCube())
+      OrientationCube::paint(painter, OrientationCube::placeIn(size()), axes, orientation_known_);
+    if (!caption_.isEmpty()) paintPlated(painter, caption(), font(), style::kViewText);
     if (orientation_known_)
       for (const PlatedWords& letters : edgeLettersIn(rect(), axes, besideLetters()))
         paintPlated(painter, letters, edgeLetterFont(), style::kLetter);
@@ -50,6 +53,25 @@ void VolumeView::paintOver(QPainter& painter) const {
   } else {
     overlays_.paint(painter, *geometry_);
   }
+}
+
+void VolumeView::setCaption(const QString& words, const QString& fewer, const QString& widest) {
+  caption_ = words;
+  widest_caption_ = widest;
+  short_caption_ = fewer;
+  update();
+}
+
+PlatedWords VolumeView::caption() const {
+  const double left = OrientationCube::placeIn(size()).left() - 2.0 * kCaptionMargin;
+  const bool fits = plateSize(font(), widest_caption_).width() <= left;
+  const QString& words = fits ? caption_ : short_caption_;
+  return {words, {{kCaptionMargin, kCaptionMargin}, plateSize(font(), words)}};
+}
+
+bool VolumeView::showsCube() const {
+  return caption_.isEmpty() ||
+         caption().plate.right() + kCaptionMargin <= OrientationCube::placeIn(size()).left();
 }
 
 PlatedWords VolumeView::unknownSides() const {
@@ -61,13 +83,17 @@ PlatedWords VolumeView::unknownSides() const {
 
 std::vector<QRectF> VolumeView::besideLetters() const {
   std::vector<QRectF> parts = covered_;
-  parts.push_back(OrientationCube::placeIn(size()));
+  if (showsCube()) parts.push_back(OrientationCube::placeIn(size()));
+  if (!caption_.isEmpty())
+    parts.push_back(caption().plate.adjusted(0.0, 0.0, kCaptionMargin, kCaptionMargin));
   return parts;
 }
 
 std::vector<QRectF> VolumeView::wordBoxes() const {
   if (box_mm_.isEmpty()) return {};
-  std::vector<QRectF> boxes{OrientationCube::placeIn(size())};
+  std::vector<QRectF> boxes;
+  if (showsCube()) boxes.push_back(OrientationCube::placeIn(size()));
+  if (!caption_.isEmpty()) boxes.push_back(caption().plate);
   if (!orientation_known_) {
     boxes.push_back(unknownSides().plate);
     return boxes;

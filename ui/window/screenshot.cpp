@@ -40,7 +40,7 @@ std::optional<ScreenshotWish> askForScreenshot(QWidget& window, Views& views,
     const ScreenshotWish wish = chosen();
     const QSize size = wish.whole_window ? window.size()
                        : wish.slice      ? wish.slice->size()
-                                         : views.volume().size();
+                                         : views.spaceSize();
     const int times = std::max(0, scale->currentIndex());
     scale->clear();
     for (int n = 1; n <= 4; ++n)
@@ -65,11 +65,12 @@ std::optional<ScreenshotWish> askForScreenshot(QWidget& window, Views& views,
   return wish;
 }
 
-QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish) {
+QImage screenshotOf(QWidget& window, Views& views, const ScreenshotWish& wish) {
   if (wish.slice) return wish.slice->picture(wish.scale);
   // beside a slice that is shown alone the 3-D view has no place, and cards cover an empty one
+  VolumeView& view = views.volume();
   const bool is_seen = !wish.whole_window || !view.visibleRegion().isEmpty();
-  const QImage seen = is_seen ? view.picture(wish.scale) : QImage();
+  const QImage seen = is_seen ? views.spacePicture(wish.scale) : QImage();
   if (!wish.whole_window || (is_seen && seen.isNull())) return seen;
   QImage image(window.size() * wish.scale, QImage::Format_RGB32);
   image.setDevicePixelRatio(wish.scale);
@@ -78,10 +79,13 @@ QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wis
   if (is_seen) {
     // a widget that is rendered lacks what is drawn over the 3-D view
     QPainter painter(&image);
-    painter.drawImage(QRectF(view.mapTo(&window, QPointF{}), QSizeF(view.size())), seen);
+    const QSizeF size = views.spaceSize();
+    const QPointF end = view.mapTo(&window, QPointF(view.width(), view.height()));
+    painter.drawImage(QRectF({end.x() - size.width(), end.y() - size.height()}, size), seen);
     // and so does the picture, of what stands over the view
     for (auto* over : view.parentWidget()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
-      if (over != &view && over->isVisible() && over->geometry().intersects(view.geometry()))
+      if (qobject_cast<VolumeView*>(over) == nullptr && over->isVisible() &&
+          over->geometry().intersects(view.geometry()))
         over->render(&painter, over->mapTo(&window, QPoint{}), {}, QWidget::DrawChildren);
     for (auto* sentence : window.findChildren<Banner*>())
       if (sentence->isVisible())

@@ -10,12 +10,11 @@ namespace ui {
 
 class SliceView;
 class Views;
-class VolumeView;
 
 /// What a picture shows, and how large it is.
 struct ScreenshotWish {
   bool whole_window = false;   ///< false: one view alone
-  SliceView* slice = nullptr;  ///< this one; null: the 3-D view
+  SliceView* slice = nullptr;  ///< this one; null: the 3-D view, with the one beside it
   int scale = 1;               ///< pixels of the picture for one of the screen, 1 to 4
 };
 
@@ -28,6 +27,6 @@ std::optional<ScreenshotWish> askForScreenshot(QWidget& window, Views& views,
 int screenScaleOf(const QWidget& widget);
 
 /// The picture, without any text beside it. Null if the graphics cannot draw it so large.
-QImage screenshotOf(QWidget& window, VolumeView& view, const ScreenshotWish& wish);
+QImage screenshotOf(QWidget& window, Views& views, const ScreenshotWish& wish);
 
 }  // namespace ui

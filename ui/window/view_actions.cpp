@@ -97,6 +97,12 @@ void ViewActions::buildColours(QMenu& menu) {
         [this] { return std::optional{view_.surface().isovalue()}; });
   markSecond();
   connect(&view_, &VolumeView::secondSurfaceChanged, this, &ViewActions::markSecond);
+  before_after_ = menu.addAction(tr("&Before and after"));
+  before_after_->setObjectName("beforeAfter");
+  before_after_->setCheckable(true);
+  giveKeys(*before_after_, Action::BeforeAfter,
+           tr("The unedited scan beside what is left of it, seen from the same place"));
+  before_after_->setEnabled(false);
   for (QMenu* part : {presets_, colours_, second_}) part->setEnabled(false);
   menu.addSeparator();
 }
@@ -134,6 +140,7 @@ void ViewActions::buildTool(QMenu& menu, TopBar& bar) {
 
 void ViewActions::show(const Picture& picture) {
   picture_ = picture;
+  before_after_->setEnabled(true);
   for (QMenu* part : {presets_, colours_, second_}) part->setEnabled(true);
   // without a unit no intensity is a tissue until the user says so
   setColours(picture.volume->unit == "HU" ? SurfaceColours::Tissue : SurfaceColours::Ivory);

@@ -23,6 +23,8 @@ class ViewActions : public QObject {
  public:
   ViewActions(QMenu& menu, TopBar& bar, VolumeView& view);
 
+  /// The entry that shows the unedited scan beside what is left of it.
+  QAction& beforeAfter() const { return *before_after_; }
   /// Another volume: presets and colours are its own.
   void show(const Picture& picture);
   SurfaceColours colours() const { return colouring_; }
@@ -48,6 +50,7 @@ class ViewActions : public QObject {
   QMenu* colours_ = nullptr;
   QMenu* second_ = nullptr;
   SurfaceColours colouring_ = SurfaceColours::Ivory;
+  QAction* before_after_ = nullptr;
   QAction* no_second_ = nullptr;
   QAction* by_value_ = nullptr;
   QAction* ivory_ = nullptr;

@@ -10,13 +10,17 @@
 
 #include "ui/controls/bindings.h"
 #include "ui/panels/force_panel.h"
+#include "ui/props/viewport.h"
 #include "ui/style/scene_colours.h"
 #include "ui/style/style.h"
 
 namespace ui {
 namespace {
 
-constexpr int kLine = 2;  // px, of the coloured line above the view
+constexpr int kLine = 2;     // px, of the coloured line above the view
+constexpr int kBetween = 4;  // px, between two views of the same thing
+constexpr QSize kLeastOfTwo{160, 164};
+constexpr double kHighest = 1.5;  // in widths: beyond that two views stand above each other
 constexpr int kCardMargin = 12;
 // px from the top of the view to a card there, and about the card that stay free
 constexpr int kBelowCube = 108, kBelowSentences = 84, kAboutCard = 8;
@@ -244,7 +248,25 @@ void ViewFrame::setMaximised(bool maximised) {
 
 QSize ViewFrame::minimumSizeHint() const {
   const int hint = hint_shown_ ? kHint : 0;
-  return view_->minimumSize().expandedTo({120, 100}) + QSize{0, kLine + hint};
+  const QSize least = before_ != nullptr ? kLeastOfTwo : view_->minimumSize();
+  return least.expandedTo({120, 100}) + QSize{0, kLine + hint};
+}
+
+void ViewFrame::setBefore(QWidget* before) {
+  before_ = before;
+  if (before != nullptr) {
+    const QSize half = (kLeastOfTwo - QSize{kBetween, kBetween}) / 2;
+    before->setMinimumSize(half);
+    view_->setMinimumSize(half);
+    before->setParent(this);
+    before->lower();
+    before->show();
+  } else {
+    view_->setMinimumSize(Viewport::kLeast);
+  }
+  updateGeometry();
+  place();
+  update();
 }
 
 void ViewFrame::setCard(ForcePanel& card, IsIn taken, IsIn disliked) {
@@ -272,7 +294,9 @@ bool ViewFrame::event(QEvent* event) {
 }
 
 void ViewFrame::paintEvent(QPaintEvent*) {
-  QPainter(this).fillRect(QRect(0, 0, width(), kLine), colour_);
+  QPainter painter(this);
+  if (before_ != nullptr) painter.fillRect(rect(), style::kBetweenViews);
+  painter.fillRect(QRect(0, 0, width(), kLine), colour_);
 }
 
 void ViewFrame::resizeEvent(QResizeEvent*) { place(); }
@@ -288,7 +312,21 @@ void ViewFrame::place() {
     hide_hint_->setGeometry(inner.right() + 1 - kButton, inner.bottom() + 1, kButton, kButton);
     hide_hint_->raise();
   }
-  view_->setGeometry(inner);
+  QRect after = inner;
+  if (before_ != nullptr) {
+    // the same size: a pixel of both is the same place
+    const bool beside = kHighest * inner.width() >= inner.height();
+    QRect before = inner;
+    if (beside) {
+      before.setWidth((inner.width() - kBetween) / 2);
+      after.setLeft(after.right() + 1 - before.width());
+    } else {
+      before.setHeight((inner.height() - kBetween) / 2);
+      after.setTop(after.bottom() + 1 - before.height());
+    }
+    before_->setGeometry(before);
+  }
+  view_->setGeometry(after);
   keepCardClear();
   placePointed();
   int x = width() - 4 - kButton;

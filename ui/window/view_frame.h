@@ -25,6 +25,8 @@ class ViewFrame : public QWidget {
   ViewFrame(QWidget* view, const QColor& colour, bool has_menu, QWidget* parent = nullptr);
 
   QWidget& view() { return *view_; }
+  /// Gives half of the room to another view, at the left or above; null: all of it is the view's.
+  void setBefore(QWidget* before);
   /// Whether the button gives the others back.
   void setMaximised(bool maximised);
   void setHint(const QString& hint);
@@ -77,6 +79,7 @@ class ViewFrame : public QWidget {
   void tellCovered();
 
   QWidget* view_;
+  QWidget* before_ = nullptr;
   QColor colour_;
   QToolButton* menu_ = nullptr;
   QToolButton* fit_ = nullptr;

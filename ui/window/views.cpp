@@ -2,11 +2,14 @@
 #include "ui/window/views.h"
 
 #include <QAction>
+#include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "ui/controls/bindings.h"
 #include "ui/panels/force_panel.h"
 #include "ui/style/scene_colours.h"
+#include "ui/views/before_view.h"
 #include "ui/views/plane_colours.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/view_actions.h"
@@ -112,6 +115,7 @@ void Views::setIsovalue(double isovalue) {
 
 void Views::setTouched(const TouchedSurface& touched) {
   volume_->setTouched(touched);
+  if (before_ != nullptr) before_->setTouched(touched);
   slices_->setTouched(touched);
 }
 
@@ -149,8 +153,43 @@ void Views::setForceCard(ForcePanel& card) {
 
 void Views::setSentences(const QList<QRect>& parts) { volumeFrame().setSentences(parts); }
 
+void Views::showBefore(const Picture& scan) {
+  hideBefore();
+  before_ = new BeforeView(*volume_, scan);
+  before_->setObjectName("before");
+  volumeFrame().setBefore(before_);
+}
+
+void Views::hideBefore() {
+  if (before_ == nullptr) return;
+  if (before_->hasFocus()) volume_->setFocus();
+  volumeFrame().setBefore(nullptr);
+  delete std::exchange(before_, nullptr);
+}
+
+QAction& Views::beforeAfter() const { return actions_->beforeAfter(); }
+
+QSize Views::spaceSize() const {
+  return before_ == nullptr ? volume_->size()
+                            : before_->geometry().united(volume_->geometry()).size();
+}
+
+QImage Views::spacePicture(double scale) {
+  const QImage after = volume_->picture(scale);
+  if (before_ == nullptr || after.isNull()) return after;
+  const QImage before = before_->picture(scale);
+  if (before.isNull()) return before;
+  QImage both((QSizeF(spaceSize()) * scale).toSize(), QImage::Format_RGB32);
+  both.fill(style::kBetweenViews);
+  QPainter painter(&both);
+  painter.drawImage(0, 0, before);
+  painter.drawImage(both.width() - after.width(), both.height() - after.height(), after);
+  return both;
+}
+
 void Views::setMouse(const MouseChoices& mouse) {
   volume_->setMouse(mouse);
+  if (before_ != nullptr) before_->setMouse(mouse);
   for (SliceView* slice : slices_->slices()) slice->setMouse(mouse);
 }
 
@@ -197,6 +236,7 @@ void Views::restore(const QString& state) {
 }
 
 void Views::reset() {
+  beforeAfter().setChecked(false);
   volumeFrame().setCardFolded(false);
   slices_->setObliqueShown(false);
   layout_->reset();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QImage>
 #include <QList>
 #include <QObject>
 #include <QRect>
@@ -20,6 +21,7 @@ class QMenu;
 
 namespace ui {
 
+class BeforeView;
 class ForcePanel;
 class Overlay;
 class TopBar;
@@ -73,6 +75,17 @@ class Views : public QObject {
   void setForceCard(ForcePanel& card);
   /// Where sentences lie over the 3-D view, in its coordinates.
   void setSentences(const QList<QRect>& parts);
+  /// Shows the unedited scan beside the 3-D view, until hideBefore(). The two have one camera.
+  void showBefore(const Picture& scan);
+  void hideBefore();
+  /// Null: it is not shown.
+  BeforeView* before() const { return before_; }
+  /// The entry with which the user wants it.
+  QAction& beforeAfter() const;
+  /// How large the 3-D view is, with the one beside it.
+  QSize spaceSize() const;
+  /// The picture of both, or of the 3-D view alone, as VolumeView::picture().
+  QImage spacePicture(double scale);
   /// What the mouse does in all views.
   void setMouse(const MouseChoices& mouse);
 
@@ -116,6 +129,7 @@ class Views : public QObject {
   SliceSet* slices_;
   ViewLayout* layout_;
   ViewActions* actions_ = nullptr;
+  BeforeView* before_ = nullptr;
   QElapsedTimer card_placed_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/window/edits/cut_controller.h"
 
+#include <QAction>
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -55,6 +56,11 @@ CutController::CutController(ui::MainWindow& window, SharedState& shared)
   connect(panel_, &Panel::numbersChanged, this, &CutController::changeLaw);
   connect(panel_, &Panel::undoWanted, this, &CutController::undoWanted);
   connect(panel_, &Panel::redoWanted, this, &CutController::redoWanted);
+  QAction& before_after = window.views().beforeAfter();
+  connect(panel_, &Panel::beforeAfterChosen, &before_after, &QAction::setChecked);
+  connect(&before_after, &QAction::changed, panel_, [this, &before_after] {
+    panel_->setBeforeAfter(before_after.isChecked(), before_after.isEnabled());
+  });
   connect(panel_, &Panel::tintChosen, &window.views().volume(), &ui::VolumeView::setTint);
   panel_->setSoundPossible(BurrPlayer::isPossible());
   connect(panel_, &Panel::soundChosen, this, [this](bool on) { sound_.setOn(on); });

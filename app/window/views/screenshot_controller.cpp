@@ -57,7 +57,7 @@ void ScreenshotController::take() {
   QBuffer picture;
   const QString ending = QFileInfo(QString::fromStdString(path_)).suffix();
   const QImage image = ui::screenshotOf(
-      window_, views_.volume(), {.whole_window = true, .scale = ui::screenScaleOf(window_)});
+      window_, views_, {.whole_window = true, .scale = ui::screenScaleOf(window_)});
   const bool drawn = image.save(&picture, ending.isEmpty() ? "PNG" : qPrintable(ending));
   if (!drawn) {
     std::fprintf(stderr, "The picture could not be drawn.\n");

@@ -146,7 +146,7 @@ void ViewController::savePicture(const ui::SliceView* first) {
   const auto wish = ui::askForScreenshot(window_, views_, first);
   if (!wish || !mayLeave(wish->slice || (wish->whole_window && views_.showsSlices()))) return;
   // before the next dialog lies over the window
-  const QImage picture = ui::screenshotOf(window_, views_.volume(), *wish);
+  const QImage picture = ui::screenshotOf(window_, views_, *wish);
   if (picture.isNull())
     return messages_.showMessage(
         tr("The graphics cannot draw a picture of this size; choose a smaller one."));
@@ -169,8 +169,7 @@ void ViewController::savePicture(const ui::SliceView* first) {
 
 void ViewController::copyPicture() {
   if (!mayLeave(false)) return;
-  const QImage picture =
-      ui::screenshotOf(window_, views_.volume(), {.scale = ui::screenScaleOf(window_)});
+  const QImage picture = ui::screenshotOf(window_, views_, {.scale = ui::screenScaleOf(window_)});
   if (picture.isNull()) return;
   QGuiApplication::clipboard()->setImage(picture);
   messages_.showBriefly(tr("The picture of the 3-D view was copied."), kPictureSaidMs);

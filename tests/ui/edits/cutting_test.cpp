@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A burr in the mouse's hand: what it cuts is seen while it is cut, and can be taken back.
+#include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDataSet.h>
+#include <vtkMapper.h>
+#include <vtkWeakPointer.h>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QKeyEvent>
+#include <QPointer>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -25,6 +30,7 @@
 #include "app/recording/replay.h"
 #include "app/view_file/view_file.h"
 #include "app/window/edits/edit_controller.h"
+#include "app/window/scan/edited_volume.h"
 #include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
@@ -41,8 +47,10 @@
 #include "ui/panels/cut_panel.h"
 #include "ui/panels/recording_panel.h"
 #include "ui/panels/replay_bar.h"
+#include "ui/views/before_view.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/menus.h"
+#include "ui/window/screenshot.h"
 #include "ui/window/views.h"
 
 namespace {
@@ -359,6 +367,162 @@ TEST_F(Cutting, ATextureGetsNoOtherVoxelsThanThoseThatWereCut) {
   // all of it anew
   window().views().replace(application_->shown()->picture);
   EXPECT_EQ(window::differing(window::pictureAtRest(view), plain, 2), 0.0);
+}
+
+/// Colours of the plate's front in a view, from place to place, and whether they lie by the pit.
+struct FrontSeen {
+  std::vector<QColor> by_pit, elsewhere;
+};
+
+FrontSeen frontSeen(const ui::VolumeView& view, const QImage& picture, double front_mm,
+                    const ui::VolumeView& with_tool) {
+  FrontSeen seen;
+  for (double x = -20.0; x <= 20.0; x += 1.0)
+    for (double z = -20.0; z <= 20.0; z += 1.0) {
+      const QPoint at = view.projected(Vector3d{x, front_mm, z} * 1e-3).toPoint();
+      if (with_tool.isToolIn(QRect(at, QSize(1, 1)).adjusted(-3, -3, 3, 3))) continue;
+      const double away = std::hypot(x, z);
+      if (away < 1.5) seen.by_pit.push_back(picture.pixelColor(at));
+      if (away > 6.0) seen.elsewhere.push_back(picture.pixelColor(at));
+    }
+  return seen;
+}
+
+int apart(const std::vector<QColor>& a, const std::vector<QColor>& b) {
+  int count = 0;
+  for (std::size_t n = 0; n < a.size(); ++n)
+    count += std::max({std::abs(a[n].red() - b[n].red()), std::abs(a[n].green() - b[n].green()),
+                       std::abs(a[n].blue() - b[n].blue())}) > 24;
+  return count;
+}
+
+TEST_F(Cutting, IsSeenBesideTheUneditedScanWithOneCamera) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  cut(0.0, 20.0);
+  ASSERT_FALSE(HasFatalFailure());
+  lift();
+  ui::Views& views = window().views();
+  ui::VolumeView& after = views.volume();
+  const QSize alone = after.size();
+  auto& wish = child<QCheckBox>("cutBeforeAfter");
+  wish.click();
+  ASSERT_TRUE(waitFor([&] { return views.before() != nullptr; }));
+  ui::BeforeView& before = *views.before();
+  EXPECT_TRUE(views.beforeAfter().isChecked());
+  EXPECT_EQ(before.size(), after.size());
+  EXPECT_LE(before.geometry().right(), after.geometry().left());
+  EXPECT_NEAR(before.width() + after.width(), alone.width(), 8);
+  // its voxels are the scan's
+  EXPECT_EQ(before.picture().volume, app::scanOf(application_->shown()->volume()));
+  EXPECT_NE(before.picture().volume, after.picture().volume);
+
+  const auto expectDifferAtThePitAlone = [&](const char* name) {
+    const FrontSeen was = frontSeen(before, window::pictureAtRest(before), kFront_mm, after);
+    const FrontSeen is = frontSeen(after, window::pictureAtRest(after), kFront_mm, after);
+    ASSERT_EQ(was.by_pit.size(), is.by_pit.size());
+    ASSERT_GT(is.by_pit.size(), 2U) << name;
+    ASSERT_GT(is.elsewhere.size(), 800U) << name;
+    EXPECT_EQ(apart(was.by_pit, is.by_pit), int(is.by_pit.size())) << name;
+    EXPECT_LT(apart(was.elsewhere, is.elsewhere), 0.01 * double(is.elsewhere.size())) << name;
+    window::keep(ui::screenshotOf(window(), views, {.whole_window = true}), name);
+  };
+  expectDifferAtThePitAlone("before_after");
+  // what was cut has its colour on one side alone
+  EXPECT_GT(window::count(after.grabFramebuffer(), cutColoured), 30);
+  EXPECT_LT(window::count(before.grabFramebuffer(), cutColoured), 5);
+  // the picture of the 3-D view is of both
+  const QImage both = ui::screenshotOf(window(), views, {.scale = 2});
+  EXPECT_EQ(both.size(), views.spaceSize() * 2);
+  EXPECT_LT(
+      window::differing(both.copy(QRect(QPoint{}, before.size() * 2)), before.picture(2.0), 8),
+      0.001);
+
+  // the camera, moved in either
+  const auto places = [](const ui::VolumeView& view) {
+    ui::ViewLook look;
+    view.tell(look);
+    Eigen::Matrix<double, 11, 1> all;
+    all << look.eye_mm, look.focus_mm, look.up, look.half_height_mm, double(look.parallel);
+    return all;
+  };
+  for (ui::VolumeView* moved : std::initializer_list<ui::VolumeView*>{&before, &after}) {
+    ui::VolumeView& other = moved == &after ? static_cast<ui::VolumeView&>(before) : after;
+    const QPoint middle = moved->rect().center() + QPoint{40, 90};
+    auto last = places(other);
+    const auto expectMoved = [&](const char* what) {
+      EXPECT_FALSE(places(other).isApprox(last, 1e-4)) << what;
+      EXPECT_TRUE(places(other).isApprox(places(*moved), 1e-12)) << what;
+      last = places(other);
+    };
+    QTest::mousePress(moved, Qt::RightButton, {}, middle);
+    QTest::mouseMove(moved, middle + QPoint{10, -6});
+    QTest::mouseRelease(moved, Qt::RightButton, {}, middle + QPoint{10, -6});
+    expectMoved("zoom");
+    QTest::mousePress(moved, Qt::MiddleButton, {}, middle);
+    QTest::mouseMove(moved, middle + QPoint{10, -6});
+    QTest::mouseRelease(moved, Qt::MiddleButton, {}, middle + QPoint{10, -6});
+    expectMoved("shift");
+    moved->setFocus();
+    QTest::keyClick(moved, Qt::Key_Left);
+    expectMoved("turn");
+    QTest::keyClick(moved, Qt::Key_P);
+    expectMoved("perspective");
+    EXPECT_EQ(child<QAction>("parallel").isChecked(), moved->isParallel());
+    QTest::keyClick(moved, Qt::Key_T);
+    expectMoved("to the tool");
+    QTest::keyClick(moved, Qt::Key_1);
+    expectMoved("from the front");
+  }
+  // the isovalue of both, as it moves
+  type("isovalueTyped", "35");
+  EXPECT_EQ(before.surface().isovalue(), 35.0);
+  EXPECT_EQ(after.surface().isovalue(), 35.0);
+  // the tool stands straight before the pit
+  for (int n = 0; n < 10; ++n) QTest::keyClick(&after, Qt::Key_Right);
+  for (int n = 0; n < 5; ++n) QTest::keyClick(&after, Qt::Key_Down);
+  expectDifferAtThePitAlone("before_after_35");
+  type("isovalueTyped", "50");
+  // at rest it is as fine as what is left
+  QTest::keyClick(&before, Qt::Key_Left);
+  before.grabFramebuffer();
+  const vtkDataObject* const coarse = before.surface().mesh()->GetMapper()->GetInput();
+  window::pictureAtRest(before);
+  EXPECT_NE(before.surface().mesh()->GetMapper()->GetInput(), coarse);
+
+  // for looking alone, but the force stops there too
+  QSignalSpy cuts(&after, &ui::VolumeView::cutHeld), clutch(&after, &ui::VolumeView::clutchHeld);
+  before.setFocus();
+  const int released = int(cuts.count());
+  QTest::keyPress(&before, Qt::Key_X);
+  QTest::keyRelease(&before, Qt::Key_X);
+  QTest::keyPress(&before, Qt::Key_C);
+  QTest::keyRelease(&before, Qt::Key_C);
+  EXPECT_EQ(cuts.count(), released);
+  EXPECT_FALSE(application_->snapshot().cuts);
+  QTest::keyClick(&before, Qt::Key_Space);
+  EXPECT_TRUE(waitFor([&] { return child<QLabel>("stopped").text() == "Force stopped by Space"; }));
+
+  // one stroke back: nothing differs any more
+  undo();
+  const FrontSeen was = frontSeen(before, window::pictureAtRest(before), kFront_mm, after);
+  const FrontSeen is = frontSeen(after, window::pictureAtRest(after), kFront_mm, after);
+  EXPECT_EQ(apart(was.by_pit, is.by_pit), 0);
+  EXPECT_LT(apart(was.elsewhere, is.elsewhere), 0.01 * double(is.elsewhere.size()));
+
+  // off: nothing is kept
+  redo();
+  const vtkWeakPointer<vtkImageData> reduced = before.picture().reduced.Get();
+  const QPointer<ui::BeforeView> gone = &before;
+  ASSERT_NE(reduced, nullptr);
+  QTest::keyClick(&window(), Qt::Key_B, Qt::ControlModifier);
+  EXPECT_EQ(gone, nullptr);
+  EXPECT_EQ(views.before(), nullptr);
+  EXPECT_EQ(reduced, nullptr);
+  EXPECT_FALSE(wish.isChecked());
+  EXPECT_EQ(after.size(), alone);
+  EXPECT_TRUE(after.hasFocus());
+  EXPECT_EQ(after.wordBoxes().size(), 5U);  // cube and letters, and no caption
 }
 
 // Strokes from before belong to the scene that is described; those that are taken back, to none.

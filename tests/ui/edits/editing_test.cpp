@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vtkCamera.h>
 #include <vtkImageData.h>
+#include <vtkWeakPointer.h>
 
 #include <QAction>
 #include <QApplication>
@@ -29,10 +30,12 @@
 #include "ui/panels/device_panel.h"
 #include "ui/panels/edit_panel.h"
 #include "ui/panels/replay_bar.h"
+#include "ui/views/before_view.h"
 #include "ui/views/volume_view.h"
 #include "ui/window/loading.h"
 #include "ui/window/main_window.h"
 #include "ui/window/menus.h"
+#include "ui/window/screenshot.h"
 #include "ui/window/views.h"
 
 namespace {
@@ -148,6 +151,88 @@ TEST_F(Editing, AnUndoThatBeganWaitsAgainBeforeItIsAdopted) {
   pulledTo({-12, -29, 0});
   settle();
   EXPECT_TRUE(application_->editing().edits().empty());
+}
+
+TEST_F(Editing, TheUneditedScanStandsBesideWhatIsLeftInEveryModeAndUntilAnotherScanComes) {
+  openBalls();
+  ASSERT_FALSE(HasFatalFailure());
+  ui::Views& views = window().views();
+  ui::VolumeView& after = views.volume();
+  QAction& wish = child<QAction>("beforeAfter");
+  // of a scan from which nothing was taken there is no second picture
+  wish.trigger();
+  ASSERT_NE(views.before(), nullptr);
+  EXPECT_EQ(views.before()->picture().reduced, after.picture().reduced);
+  wish.trigger();
+  EXPECT_EQ(views.before(), nullptr);
+  application_->editing().restore({datasets::RemovePiece{kSmallAt * 1e-3, 50.0}});
+  settle();
+  wish.trigger();
+  // a second thought while its picture is made
+  wish.trigger();
+  wish.trigger();
+  ASSERT_TRUE(waitFor([&] { return views.before() != nullptr; }));
+  ui::BeforeView& before = *views.before();
+  const auto expectWordsApart = [&](const std::string& name) {
+    // in each the sides are named
+    for (const ui::VolumeView* view :
+         std::initializer_list<const ui::VolumeView*>{&before, &after}) {
+      const std::vector<QRectF> words = view->wordBoxes();
+      EXPECT_GE(words.size(), 5U) << name;  // a caption and four letters
+      for (std::size_t a = 0; a < words.size(); ++a) {
+        EXPECT_TRUE(QRectF(view->rect()).contains(words[a])) << name << ' ' << a;
+        for (std::size_t b = 0; b < a; ++b)
+          EXPECT_FALSE(words[a].intersects(words[b])) << name << ' ' << a << ' ' << b;
+      }
+    }
+  };
+  const auto expectBoth = [&](const std::string& name) {
+    const QImage was = window::pictureAtRest(before), is = window::pictureAtRest(after);
+    EXPECT_EQ(before.surface().mode(), after.surface().mode()) << name;
+    const auto colourAt = [&](const QImage& image, const Vector3d& p_mm) {
+      return image.pixelColor(inSpace(p_mm).toPoint());
+    };
+    EXPECT_TRUE(window::surfaceColoured(colourAt(was, kSmallAt))) << name;
+    EXPECT_FALSE(window::surfaceColoured(colourAt(is, kSmallAt))) << name;
+    for (const double z : {-8.0, 0.0, 8.0}) {
+      const Vector3d place = kLargeAt + Vector3d{-4.0, -8.0, z};
+      EXPECT_TRUE(window::surfaceColoured(colourAt(was, place))) << name;
+      EXPECT_NEAR(colourAt(was, place).red(), colourAt(is, place).red(), 12) << name;
+    }
+    expectWordsApart(name);
+    window::keep(ui::screenshotOf(window(), views, {.whole_window = true}), name.c_str());
+  };
+  for (const auto mode : {ui::SurfaceMode::Mesh, ui::SurfaceMode::RayCast}) {
+    const std::string name = mode == ui::SurfaceMode::Mesh ? "beside_mesh" : "beside_ray_cast";
+    after.setSurfaceWish(mode);
+    expectBoth(name);
+    child<QAction>("slices_large").trigger();
+    ASSERT_TRUE(waitFor([&] { return before.geometry().bottom() < after.geometry().top(); }));
+    EXPECT_EQ(before.size(), after.size());
+    expectBoth(name + "_column");
+    child<QAction>("volume_large").trigger();
+    const QSize large = window().size();
+    const QSize least = window().minimumSizeHint();
+    window().resize(least);
+    ASSERT_TRUE(waitFor([&] { return window().size() == least; }));
+    expectBoth(name + "_narrow");
+    window().resize(large);
+    ASSERT_TRUE(waitFor([&] { return window().size() == large; }));
+  }
+  // as small as the two can be, without a cube
+  after.parentWidget()->resize(after.parentWidget()->minimumSizeHint());
+  EXPECT_EQ(before.wordBoxes().size(), 5U);
+  expectWordsApart("beside_least");
+  // nothing of it is left when another scan comes
+  const auto scan = before.picture().volume;
+  const vtkWeakPointer<vtkImageData> reduced = before.picture().reduced.Get();
+  window::discardWhenAsked(window());
+  emit window().menus().phantomWanted("sphere");
+  ASSERT_TRUE(waitFor([&] { return app::scanOf(application_->shown()->volume()) != scan; }));
+  EXPECT_EQ(views.before(), nullptr);
+  EXPECT_FALSE(wish.isChecked());
+  EXPECT_EQ(reduced, nullptr);
+  window::pictureAtRest(after);
 }
 
 TEST_F(Editing, AnEditLeavesToolAndCameraWhereTheyAre) {

@@ -585,8 +585,7 @@ TEST(ViewPicture, OfTheWindowHoldsTheView) {
   window::showAndWait(window, {1000, 700});
   window.show(ui::pictureOf(ballVolume(0.020)), 50.0, "ball");
   window::pictureAtRest(window.views().volume());
-  const QImage image =
-      ui::screenshotOf(window, window.views().volume(), {.whole_window = true, .scale = 2});
+  const QImage image = ui::screenshotOf(window, window.views(), {.whole_window = true, .scale = 2});
   ASSERT_EQ(image.size(), window.size() * 2);
   window::keep(image, "picture_window");
   // the view's own picture, with its letters, where the view is
@@ -608,7 +607,7 @@ TEST(ViewPicture, OfTheWindowHoldsTheView) {
                 image, QRect((axial.projected({-22.0, 3.0, 0.5}).toPoint() + off) * 2,
                              (axial.projected({-3.0, 22.0, 0.5}).toPoint() + off) * 2)),
             40);
-  EXPECT_FALSE(ui::screenshotOf(window, window.views().volume(), {.scale = 1}).isNull());
+  EXPECT_FALSE(ui::screenshotOf(window, window.views(), {.scale = 1}).isNull());
 }
 
 TEST(ViewPicture, OfTheWindowShowsASliceThatIsShownAlone) {
@@ -621,8 +620,7 @@ TEST(ViewPicture, OfTheWindowShowsASliceThatIsShownAlone) {
   axial.parentWidget()->findChild<QToolButton*>("maximise")->click();
   ASSERT_FALSE(window.views().volume().isVisible());
   const QImage shown = window::pictureOf(window);
-  const QImage image =
-      ui::screenshotOf(window, window.views().volume(), {.whole_window = true, .scale = 1});
+  const QImage image = ui::screenshotOf(window, window.views(), {.whole_window = true, .scale = 1});
   window::keep(image, "picture_window_slice");
   EXPECT_LT(window::differing(image, shown, 8), 0.002);
 }
