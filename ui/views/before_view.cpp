@@ -5,7 +5,7 @@
 
 namespace ui {
 
-BeforeView::BeforeView(VolumeView& after, const Picture& scan) : after_(after) {
+BeforeView::BeforeView(VolumeView& after, const Picture& scan) : after_(&after) {
   setAccessibleName(tr("Unedited scan"));
   // both have the long words, or both the short ones
   const QString here = tr("Before: unedited scan"), there = tr("After: what is left");
@@ -20,26 +20,29 @@ BeforeView::BeforeView(VolumeView& after, const Picture& scan) : after_(after) {
   connect(&after, &VolumeView::lookChanged, this, &BeforeView::takeLook);
   connect(&after, &VolumeView::secondSurfaceChanged, this, &BeforeView::takeLook);
   connect(&after, &VolumeView::surfaceChosen, this, &BeforeView::takeLook);
-  connect(&after, &VolumeView::cameraChanged, this, [this] { follow(after_); });
-  connect(this, &VolumeView::cameraChanged, &after, [this] { after_.follow(*this); });
+  connect(&after, &VolumeView::cameraChanged, this, [this] { follow(*after_); });
+  connect(this, &VolumeView::cameraChanged, &after, [this] { after_->follow(*this); });
   connect(this, &VolumeView::forceOffWanted, &after, &VolumeView::forceOffWanted);
 }
 
-BeforeView::~BeforeView() { after_.setCaption({}, {}, {}); }
+BeforeView::~BeforeView() {
+  if (after_) after_->setCaption({}, {}, {});
+}
 
 void BeforeView::takeLook() {
-  setSurfaceWish(after_.surface().mode());
-  setIsovalue(after_.surface().isovalue());
-  setColouring(after_.surface().colouring());
-  setSecondSurface(after_.surface().second());
-  setSecondOpacity(after_.secondOpacity());
+  setSurfaceWish(after_->surface().mode());
+  setIsovalue(after_->surface().isovalue());
+  setColouring(after_->surface().colouring());
+  setSecondSurface(after_->surface().second());
+  setSecondOpacity(after_->secondOpacity());
 }
 
 void BeforeView::keyPressEvent(QKeyEvent* event) {
   // the tool is in the other one
   const Binding* meaning = meaningOf(Where::Space, *event);
-  if (meaning != nullptr && meaning->action == Action::LookAlongTool) return after_.lookAlongTool();
-  if (meaning != nullptr && meaning->action == Action::LookFromTool) return after_.lookFromTool();
+  if (meaning != nullptr && meaning->action == Action::LookAlongTool)
+    return after_->lookAlongTool();
+  if (meaning != nullptr && meaning->action == Action::LookFromTool) return after_->lookFromTool();
   VolumeView::keyPressEvent(event);
 }
 

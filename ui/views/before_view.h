@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QPointer>
+
 #include "ui/views/volume_view.h"
 
 namespace ui {
@@ -20,7 +22,7 @@ class BeforeView : public VolumeView {
  private:
   void takeLook();
 
-  VolumeView& after_;
+  QPointer<VolumeView> after_;  ///< null: the window goes, and it went first
 };
 
 }  // namespace ui
