@@ -27,6 +27,8 @@ struct BurrCut {
 };
 
 inline constexpr double kLargestBurr = 0.02;  ///< m: radius
+/// Teeth of a burr; cutting burrs have some 6 to 12.
+inline constexpr int kBurrTeeth = 8;
 /// Whether a burr makes such a cut: finite, in reach of a scan, on a way shorter than its radius. A
 /// cut that was read from a file may be another.
 bool isPossible(const BurrCut& cut);

@@ -24,8 +24,6 @@ struct Burr {
 /// The ball at the lower end of a tool along its axis z.
 Burr ballAtTip(const PointShell& shell, double radius);
 
-/// Teeth of a burr; cutting burrs have some 6 to 12.
-inline constexpr int kBurrTeeth = 8;
 /// N: the greatest amplitude of a burr's vibration.
 inline constexpr double kMostVibration = 0.5;
 /// Hz: what is rendered of the frequency with which the teeth of a burr pass, at `speed` [rad/s]

@@ -6,20 +6,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/carving/burr.h"
+
 namespace app {
 namespace {
 
 constexpr double kMostSpeed = 100'000.0;  // per minute
-static_assert(BurrTone::kFlutes * kMostSpeed / 60.0 < 0.5 * BurrTone::kRate);
+static_assert(haptics::kBurrTeeth * kMostSpeed / 60.0 < 0.5 * BurrTone::kRate);
 constexpr double kHalfLoad = 2.0;  // N, at which a burr is half loaded
 constexpr double kSlowing = 0.12;  // share of the speed that the greatest load takes
 // of the full scale; together less than 1
 constexpr double kIdle = 0.12, kWhine = 0.28, kRattle = 0.5;
 constexpr double kRoughness = 0.5;  // share of the whine that comes and goes under load
 constexpr double kUnrest = 8.0;     // of the slow noise, which is small
-// of the partials; the last is the flutes'
-constexpr std::array<double, BurrTone::kFlutes> kPartials{0.40, 0.20, 0.10, 0.07,
-                                                          0.04, 0.03, 0.02, 0.14};
+// of the partials, none higher than teeth pass
+constexpr std::array<double, haptics::kBurrTeeth> kPartials{0.40, 0.20, 0.10, 0.07,
+                                                            0.04, 0.03, 0.02, 0.14};
 
 double loadOf(double force) {
   const double press = std::max(force, 0.0);

@@ -14,13 +14,12 @@ struct BurrRun {
 };
 
 /// The sound of a burr, made of its speed and its load alone: the whine of its turns, and the
-/// rattle of its flutes. Under load the pitch falls, and both grow louder and rougher. What they
+/// rattle of its teeth. Under load the pitch falls, and both grow louder and rougher. What they
 /// are made of are choices, not measurements of a drill. It begins and ends within 40 ms, and has
 /// no jump whenever anything changes.
 class BurrTone {
  public:
   static constexpr int kRate = 48'000;  ///< samples/s, of one channel
-  static constexpr int kFlutes = 8;     ///< of a burr; no partial is higher than they pass
   static constexpr int kFade = 1'920;   ///< samples
 
   /// Turns in a second under this load [Hz].
@@ -36,7 +35,7 @@ class BurrTone {
   double phase_ = 0.0;      ///< turns
   double frequency_ = 0.0;  ///< turns/s
   double load_ = 0.0;       ///< 0: none, 1: as great as can be
-  double rattle_ = 0.0;     ///< noise of the flutes
+  double rattle_ = 0.0;     ///< noise of the teeth
   double unrest_ = 0.0;     ///< slow noise: how the bite changes
   std::uint32_t random_ = 1;
 };

@@ -17,6 +17,7 @@
 #include "app/window/scan/shared_state.h"
 #include "app/window/sound/burr_player.h"
 #include "app/window/sound/burr_tone.h"
+#include "haptics/carving/burr.h"
 #include "tests/ui/fake_program.h"
 #include "tests/ui/window_support.h"
 
@@ -125,10 +126,10 @@ TEST(BurrSound, HasNoPartialBeyondItsFlutes) {
   // 1601 turns in a second: a partial that were folded at half the rate would lie beside these
   const Samples heard = steady({.turns = true, .speed_rpm = 96'060.0});
   double partials = 0.0;
-  for (int k = 1; k <= BurrTone::kFlutes; ++k) partials += energyAt(heard, 1'601.0 * k);
+  for (int k = 1; k <= haptics::kBurrTeeth; ++k) partials += energyAt(heard, 1'601.0 * k);
   const double all = energyOf(heard);
   EXPECT_NEAR(partials / all, 1.0, 1e-5);
-  EXPECT_GT(energyAt(heard, 1'601.0 * BurrTone::kFlutes) / all, 0.01);
+  EXPECT_GT(energyAt(heard, 1'601.0 * haptics::kBurrTeeth) / all, 0.01);
 }
 
 TEST(BurrSound, NeverJumpsWhateverChanges) {
