@@ -38,7 +38,7 @@ haptics::Expected<void> CutsUntil::begin(const std::shared_ptr<const haptics::Vo
 
 haptics::Expected<CutsUntil::Moved> CutsUntil::moveTo(
     const std::shared_ptr<const haptics::Volume>& uncut, std::uint32_t scene,
-    std::uint64_t sequence) {
+    std::uint64_t sequence, std::size_t most) {
   Moved moved;
   if (std::ranges::find(cuts_, scene, &RecordedCut::scene) == cuts_.end()) return moved;
   const auto isCutAlready = [&](std::size_t n) {
@@ -51,6 +51,10 @@ haptics::Expected<CutsUntil::Moved> CutsUntil::moveTo(
   for (; live_->next < cuts_.size() && cuts_[live_->next].scene == scene &&
          cuts_[live_->next].sequence <= sequence;
        ++live_->next) {
+    if (most-- == 0) {
+      moved.whole = false;
+      break;
+    }
     const auto done = live_->copy.carve(cuts_[live_->next].cut);
     if (!done) return tl::unexpected(done.error());
     moved.changed = haptics::joined(moved.changed, done->box);

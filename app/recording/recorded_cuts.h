@@ -39,12 +39,15 @@ class CutsUntil {
   struct Moved {
     bool anew = false;          ///< volume() has other voxels than before
     haptics::VoxelBox changed;  ///< that holds all voxels that were lowered; empty: there are none
+    bool whole = true;          ///< nothing is left to cut until the step
   };
-  /// Carries out what was cut of a scene until a step, over the scene's volume. Back in time, in
-  /// another scene and over another volume everything is cut anew. In a scene without cuts nothing
-  /// is done.
+  static constexpr std::size_t kAll = SIZE_MAX;
+  /// Carries out what was cut of a scene until a step, over the scene's volume, with `most` cuts at
+  /// most: the same call again goes on. Back in time, in another scene and over another volume
+  /// everything is cut anew. In a scene without cuts nothing is done.
   haptics::Expected<Moved> moveTo(const std::shared_ptr<const haptics::Volume>& uncut,
-                                  std::uint32_t scene, std::uint64_t sequence);
+                                  std::uint32_t scene, std::uint64_t sequence,
+                                  std::size_t most = kAll);
   /// With what was cut until then; only while isCarved().
   const haptics::Volume& volume() const { return live_->copy.volume(); }
 

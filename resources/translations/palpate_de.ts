@@ -2694,6 +2694,10 @@
         <source>Reading the recording</source>
         <translation>Die Aufzeichnung wird gelesen</translation>
     </message>
+    <message>
+        <source>What was cut until here is being cut again.</source>
+        <translation>Was bis hierher geschnitten wurde, wird noch einmal geschnitten.</translation>
+    </message>
 </context>
 <context>
     <name>app::ReportController</name>

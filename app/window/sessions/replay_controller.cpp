@@ -68,6 +68,8 @@ ReplayController::ReplayController(ui::Views& views, ui::Messages& messages, ui:
       replay_bar_(replay_bar),
       shared_(shared) {
   connectBar();
+  cutting_.setSingleShot(true);
+  connect(&cutting_, &QTimer::timeout, this, &ReplayController::showCuts);
   connect(&loading, &ui::Loading::cancelWanted, this, [this] { opener_.cancel(); });
   connect(&shared.identity, &VolumeIdentity::sought, this, &ReplayController::compareVolumes);
 }
@@ -232,6 +234,7 @@ void ReplayController::compareVolumes() {
     same_volume_ =
         compared(then->hash, shared_.identity.of(shared_.shown->volume())) != SameVolume::Another;
   const bool other = then != nullptr && !same_volume_;
+  behind_ = false;
   // whose value is told, or no more
   if (std::exchange(shared_.replays_other, other) != other)
     touch_.display(snapshotOf(replay_->step().step, shared_.shown->scene->id));
@@ -241,6 +244,15 @@ void ReplayController::compareVolumes() {
           : tr("The volume on view is not the one that was touched: %1; open that one to see it.")
                 .arg(differenceOf(then->volume, *shared_.shown->volume())));
   if (same_volume_) showEdits(*then);
+}
+
+void ReplayController::showCuts() {
+  if (!replay_ || !same_volume_ || editor_.isRunning() || !on_view_.volume) return;
+  const haptics::Step& step = replay_->step().step;
+  const bool behind = !cuts_.show(on_view_.volume, step.scene, step.sequence);
+  if (behind) cutting_.start();
+  if (std::exchange(behind_, behind) != behind)
+    replay_bar_.showWarning(behind ? tr("What was cut until here is being cut again.") : QString{});
 }
 
 void ReplayController::show(double time) {
@@ -257,8 +269,7 @@ void ReplayController::show(double time) {
     isovalue_ = step.settings.isovalue;
     emit isovalueShown(on_view_, step.settings.isovalue);
   }
-  if (same_volume_ && !editor_.isRunning() && on_view_.volume)
-    cuts_.show(on_view_.volume, step.scene, step.sequence);
+  showCuts();
   const haptics::Snapshot snapshot = snapshotOf(step, shared_.shown->scene->id);
   views_.display(snapshot);
   touch_.display(snapshot);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -71,6 +72,8 @@ class ReplayController : public QObject {
   void showOnView(const EditedScan& edited);
   /// Reads what a burr cut in the recording.
   void readCuts();
+  /// Shows what was cut until the step on view, little by little.
+  void showCuts();
 
   ui::Views& views_;
   ui::Messages& messages_;
@@ -89,6 +92,8 @@ class ReplayController : public QObject {
   background::Task<EditedScan> editor_;
   ReplayedCuts cuts_{views_};
   background::Task<std::vector<RecordedCut>> cut_reader_;
+  QTimer cutting_;            ///< runs while the cuts on view are behind the step
+  bool behind_ = false;       ///< and the user is told so
   bool same_volume_ = false;  ///< the volume on view is the recorded one, as far as known
 };
 

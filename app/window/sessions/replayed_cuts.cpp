@@ -14,13 +14,15 @@ haptics::Expected<std::vector<RecordedCut>> ReplayedCuts::read(
   return cutsOf(*recording, goes_on);
 }
 
-void ReplayedCuts::show(const std::shared_ptr<const haptics::Volume>& on_view, std::uint32_t scene,
+bool ReplayedCuts::show(const std::shared_ptr<const haptics::Volume>& on_view, std::uint32_t scene,
                         std::uint64_t sequence) {
-  const auto moved = cuts_.moveTo(on_view, scene, sequence);
-  if (!moved) return;
+  constexpr std::size_t kAtOnce = 400;  // some 20 ms
+  const auto moved = cuts_.moveTo(on_view, scene, sequence, kAtOnce);
+  if (!moved) return true;
   if (moved->anew)
     views_.showLive(cuts_.volume(), scanOf(on_view), datasets::boxesOfStrokes(*on_view));
   if (!haptics::isEmpty(moved->changed)) views_.carve(moved->changed);
+  return moved->whole;
 }
 
 }  // namespace app

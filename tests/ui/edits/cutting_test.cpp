@@ -616,6 +616,7 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   for (int round = 0; round < 2; ++round) {
     application_->replay()->seek(application_->replay()->track().end);
     EXPECT_TRUE(waitFor([&] { return coral() > first + 60; }, 20.0)) << round << ": " << coral();
+    EXPECT_TRUE(waitFor([&] { return child<QWidget>("replayWarning").isHidden(); }));
     application_->replay()->seek(application_->replay()->track().begin);
     EXPECT_TRUE(waitFor([&] { return coral() < first + 5; }, 20.0)) << round << ": " << coral();
   }

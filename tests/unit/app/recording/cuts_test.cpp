@@ -2,12 +2,16 @@
 // Cuts in a recording: to the bit, whatever the layout, and nothing unsound is carried out.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <vector>
 
 #include "app/recording/cut_words.h"
 #include "app/recording/database.h"
+#include "app/recording/recorded_cuts.h"
 #include "app/recording/recorder.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/sentence.h"
@@ -54,6 +58,56 @@ TEST(RecordedCuts, AreWhatTheyWereToTheBit) {
     ASSERT_EQ(steps.size(), 3000U);
     for (std::size_t i = 0; i < steps.size(); ++i)
       ASSERT_EQ(steps[i].step.cut, cutIn(static_cast<std::int64_t>(i))) << i;
+  }
+}
+
+TEST(RecordedCuts, AreCarriedOutLittleByLittleAndAnewBackInTime) {
+  haptics::Grid grid;
+  grid.dims = {40, 40, 40};
+  grid.spacing = haptics::Vec3::Constant(1e-3);
+  const auto voxels =
+      haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16).value();
+  auto* const first = static_cast<std::int16_t*>(voxels.get());
+  std::fill_n(first, grid.voxelCount(), std::int16_t{1000});
+  *first = -1000;
+  const auto volume = std::make_shared<const haptics::Volume>(
+      haptics::makeVolume(grid, haptics::ScalarType::Int16, voxels).value());
+  std::vector<RecordedCut> all;
+  for (std::uint64_t n = 0; n < 10; ++n) {
+    const haptics::Vec3 at = 1e-3 * haptics::Vec3{10.0 + double(n), 20.0, 20.0};
+    all.push_back({5 * n, 2, {at, at + haptics::Vec3{1e-3, 0.0, 0.0}, 3e-3, 300.0}});
+  }
+  all.push_back({50, 3, all.back().cut});  // of another scene
+  CarvedCopy whole{volume};
+  for (std::size_t n = 0; n < 10; ++n) {
+    const auto done = whole.carve(all[n].cut);
+    ASSERT_TRUE(done && done->removed.voxels > 0);
+  }
+  const auto digestNow = [&](const CutsUntil& cuts) {
+    return digestOfCuts(*volume, cuts.volume());
+  };
+  CutsUntil cuts;
+  cuts.set(all);
+  for (int round = 0; round < 2; ++round) {
+    for (const std::size_t left : {7U, 4U, 1U, 0U}) {
+      const auto moved = cuts.moveTo(volume, 2, 60, 3);
+      ASSERT_TRUE(moved);
+      EXPECT_EQ(moved->whole, left == 0) << left;
+      EXPECT_EQ(moved->anew, left == 7) << left;
+      EXPECT_FALSE(haptics::isEmpty(moved->changed));
+      EXPECT_EQ(digestNow(cuts) == whole.digest(), left == 0) << left;
+    }
+    const auto rests = cuts.moveTo(volume, 2, 60, 3);
+    ASSERT_TRUE(rests);
+    EXPECT_TRUE(rests->whole && !rests->anew && haptics::isEmpty(rests->changed));
+    // back in time, and then again
+    const auto back = cuts.moveTo(volume, 2, 12);
+    ASSERT_TRUE(back);
+    EXPECT_TRUE(back->whole && back->anew);
+    CarvedCopy three{volume};
+    for (std::size_t n = 0; n < 3; ++n) ASSERT_TRUE(three.carve(all[n].cut));
+    EXPECT_EQ(digestNow(cuts), three.digest());
+    cuts.forget();
   }
 }
 
