@@ -63,10 +63,12 @@ int main(int argc, char** argv) {
   std::string path, out;
   double isovalue = 0.0, seconds = 600.0;
   int hz = 4000;
+  bool cut = false;
   cli.add_option("scan", path, "A scan to open; default: the demo phantom");
   cli.add_option("--isovalue", isovalue, "Isovalue of the scan's surface");
   cli.add_option("--rate", hz, "Of both loops [Hz]")->check(CLI::IsMember({1000, 2000, 4000}));
   cli.add_option("--seconds", seconds, "Of touching")->check(CLI::Range(1.0, 36'000.0));
+  cli.add_flag("--cut", cut, "The hand has a burr of 4 mm, which cuts");
   cli.add_option("--out", out, "JSON, besides what is printed");
   CLI11_PARSE(cli, argc, argv);
 
@@ -78,6 +80,7 @@ int main(int argc, char** argv) {
       path.empty() ? bench::unattended(home) : bench::unattended(home, path, isovalue);
   if (path.empty()) arguments.load.phantom = "demo";
   arguments.hand = "slide";
+  if (cut) arguments.load.tool = app::ToolSource{.name = "burr-4"};
   app::Application application(std::move(arguments));
   const haptics::ServoRate rate{hz};
   application.session().chooseRate(rate);
@@ -113,8 +116,16 @@ int main(int argc, char** argv) {
   const int drawn = application.window().views().volume().frames();
   std::vector<double> p99_us;
   const auto begun = bench::Clock::now();
+  int looks = 0, cutting = 0;
   while (bench::msSince(begun) < 1e3 * seconds) {
-    waitFor([] { return false; }, 1.0);
+    waitFor(
+        [&] {
+          if (cut) application.session().holdCut(true);
+          ++looks;
+          cutting += application.snapshot().cuts;
+          return false;
+        },
+        1.0);
     p99_us.push_back(1e6 * application.snapshot().tick_p99);
   }
   empty.snapshots.take(turning);
@@ -129,6 +140,7 @@ int main(int argc, char** argv) {
             {"empty_loop", jsonOf(ticksOf(turning) - empty_before)},
             {"median_of_p99_us", bench::median(p99_us)},
             {"pictures_per_second", pictures / seconds}};
+  if (cut) json["cuts_in"] = double(cutting) / looks;
   application.recording().stop();
   waitFor([&] { return application.recording().present().empty(); });
   json["file"] = fileIn(home.path().toStdString(), seconds);
