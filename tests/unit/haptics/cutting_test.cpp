@@ -296,7 +296,8 @@ struct Felt {
   std::int64_t unsound = 0;
 };
 
-Felt feel(haptics::HandMotion motion, double stiffness, bool cut, int hz) {
+Felt feel(haptics::HandMotion motion, double stiffness, bool cut, int hz,
+          const CutLaw& law = lawOf()) {
   const auto scene = haptics::makeScene(made::shared(block(ScalarType::Int16)), ballTool()).value();
   haptics::ClosedLoop loop;
   loop.scene = scene;
@@ -304,7 +305,7 @@ Felt feel(haptics::HandMotion motion, double stiffness, bool cut, int hz) {
   loop.settings.isovalue = 88.0;
   loop.settings.stiffness = stiffness;
   loop.grip.gyration = haptics::gyrationOf(scene->tool.shell);
-  if (cut) loop.cut = lawOf();
+  if (cut) loop.cut = law;
   Pose X = Pose::Identity();
   X.translation().z() = kSurface + 3.0 * kRadius;
   const double reach = haptics::Hand::reachFor(0.003, stiffness, loop.grip.stiffness);
@@ -354,6 +355,22 @@ TEST(Cutting, GivesTheHandNoEnergyAndNoJerk) {
     EXPECT_EQ(cut.unsound, 0) << where;
     EXPECT_GT(cut.volume, 1e-9) << where;
     EXPECT_EQ(whole.volume, 0.0) << where;
+  }
+}
+
+TEST(Cutting, AVibrationGivesTheHandNoEnergyEither) {
+  for (const double teeth_hz : {60.0, 120.0, 250.0}) {
+    CutLaw law = lawOf();
+    law.speed = teeth_hz / haptics::kBurrTeeth * 2.0 * M_PI;
+    law.material.bands[0].energy *= 0.01;
+    law.vibration = 1.0;
+    const Felt shaken = feel(haptics::HandMotion::Mill, 1000.0, true, 1000, law);
+    EXPECT_LE(shaken.given, 1e-3) << teeth_hz;
+    EXPECT_EQ(shaken.deepest, 0.0) << teeth_hz;
+    EXPECT_EQ(shaken.unsound, 0) << teeth_hz;
+    EXPECT_GT(shaken.volume, 1e-9) << teeth_hz;
+    std::printf("%g Hz: %g mJ, %g mm3\n", teeth_hz, 1e3 * shaken.given, 1e9 * shaken.volume);
+    if (made::kSanitized) break;
   }
 }
 
