@@ -307,7 +307,8 @@ void CarvedPart::contour(double isovalue, bool mirrored, const Rgb& colour) {
 vtkPolyData* CarvedPart::beside(vtkPolyData* mesh) {
   if (isEmpty() || mesh == nullptr) return mesh;
   if (mesh == mesh_ && beside_of_ == bricks_.size()) return beside_;
-  const auto [least, most] = range();
+  const auto bricks = range();
+  const BrickIndex &least = bricks.first, &most = bricks.second;
   BrickIndex count{};
   for (std::size_t a = 0; a < 3; ++a) count[a] = most[a] - least[a] + 1;
   const auto placeOf = [&](const BrickIndex& brick) {
