@@ -12,9 +12,10 @@ namespace {
 // A trilinear field between voxels on the profile lies inside a ball by this over its radius, all
 // in voxels; so the ball that is written is larger by it.
 constexpr double kBias = 0.165;
-// A voxel that counts by its distance to the wall counts a ball's outermost layer in part: what a
-// sphere has there more than a plane is a 24th of its curvature twice.
-constexpr double kCounted = kBias + 1.0 / 12.0;
+// A voxel that counts by its distance to the wall counts a ball's outermost layer in part. What a
+// sphere has there more than a plane is the mean square of that distance, of a box of one voxel and
+// another of kRounded, over its radius.
+constexpr double kCounted = kBias + (1.0 + PartOfVoxel::kRounded * PartOfVoxel::kRounded) / 12.0;
 
 /// Leaves voxels of a chunk, from one to another, as they were.
 template <class Real>
@@ -41,7 +42,7 @@ bool isPossible(const BurrCut& cut) {
 PartOfVoxel::PartOfVoxel(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     : isovalue{cut.isovalue},
       per_value{1.0 / WallProfile{volume.least, volume.greatest, cut.isovalue}.slope()},
-      at_wall{0.5 + kCounted * std::cbrt(volume.grid.spacing.prod()) / cut.radius} {}
+      at_wall{kCounted * std::cbrt(volume.grid.spacing.prod()) / cut.radius} {}
 
 BurrCarving::BurrCarving(const Volume& volume, const BurrCut& cut) HAPTICS_RT
     : dims_{volume.grid.dims},
@@ -114,7 +115,9 @@ lanes::BallAtRow<Real> BurrCarving::ball(const WallProfile& profile,
           .back = real(-profile.back()),
           .whole = type_ != ScalarType::Float32,
           .per_value = real(part.per_value),
-          .part_at_wall = real(part.at_wall)};
+          .at_wall = real(part.at_wall),
+          .part_straight = real(PartOfVoxel::kStraight),
+          .part_rounded = real(PartOfVoxel::kRounded)};
 }
 
 template <class T>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -33,16 +34,24 @@ inline constexpr int kBurrTeeth = 8;
 /// cut that was read from a file may be another.
 bool isPossible(const BurrCut& cut);
 
-/// How much of a voxel is solid, by its value: on the line of the wall's profile from 0 to 1, so
-/// that a wall counts where it lies.
+/// How much of a voxel is solid, by its value: from 0 to 1 along the line of the wall's profile, so
+/// that a wall counts where it lies. Straight about one half and rounded to both sides: a sum over
+/// the voxels of a lattice is then nearly the volume, wherever the ball lies between them.
 struct PartOfVoxel {
+  static constexpr double kStraight = 0.1875;  ///< voxels from the wall
+  static constexpr double kRounded = 0.625;    ///< voxels beyond, to 0 or 1
+
   /// Around a cut with such a burr.
   PartOfVoxel(const Volume& volume, const BurrCut& cut) HAPTICS_RT;
   double operator()(double value) const {
-    return std::clamp(at_wall + (value - isovalue) * per_value, 0.0, 1.0);
+    const double beyond = at_wall + (value - isovalue) * per_value, size = std::abs(beyond);
+    const double round = std::clamp(size - kStraight, 0.0, kRounded);
+    const double part = std::min(size, kStraight) + round - round * round / (2.0 * kRounded);
+    return 0.5 + std::copysign(part, beyond);
   }
 
-  double isovalue, per_value, at_wall;
+  double isovalue, per_value;
+  double at_wall;  ///< voxels: by which the wall lies farther out for the count
 };
 
 /// What a cut took away.

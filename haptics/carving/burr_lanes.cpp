@@ -42,9 +42,16 @@ void Lower(const BallAtRow<Real>& ball, int count, RowOfVoxels<Real>& row) {
   const V per_voxel = all(Real{1} / ball.spacing[0]);
   const V offset = all(ball.bias * ball.spacing[0]);
   const V background = all(ball.background);
-  const V s = all(ball.isovalue), per_value = all(ball.per_value), at_wall = all(ball.part_at_wall);
+  const V s = all(ball.isovalue), per_value = all(ball.per_value), at_wall = all(ball.at_wall);
+  const V straight = all(ball.part_straight), rounded = all(ball.part_rounded);
+  const V half = all(Real(0.5)), per_rounded = all(Real(0.5) / ball.part_rounded);
   const auto partOf = [&](V value) {
-    return hn::Min(hn::Max(hn::Add(at_wall, hn::Mul(hn::Sub(value, s), per_value)), zero), one);
+    const V beyond = hn::Add(at_wall, hn::Mul(hn::Sub(value, s), per_value));
+    const V size = hn::Abs(beyond);
+    const V round = hn::Min(hn::Max(hn::Sub(size, straight), zero), rounded);
+    const V part = hn::Sub(hn::Add(hn::Min(size, straight), round),
+                           hn::Mul(hn::Mul(round, round), per_rounded));
+    return hn::Add(half, hn::CopySign(part, beyond));
   };
   row.changed = 0;
   row.parts = 0;

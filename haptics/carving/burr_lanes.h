@@ -25,7 +25,7 @@ struct BallAtRow {
   Real bias;        ///< 1/m: voxels by which the ball is larger, for a voxel's side
   Real isovalue, slope, rise, straight, background, back;  ///< as of WallProfile
   bool whole;                                              ///< voxels are whole numbers
-  Real per_value, part_at_wall;  ///< parts of a voxel: by its value, and at the isovalue
+  Real per_value, at_wall, part_straight, part_rounded;    ///< as of PartOfVoxel
 };
 
 /// Some voxels of a row.

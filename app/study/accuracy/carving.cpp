@@ -41,7 +41,7 @@ constexpr double kBias = 0.165;     // voxels, times the radius in voxels: hapti
 constexpr double kOtherPlace = 0.015;  // voxels: of a wall at another isovalue, but for the bias
 
 /// Bounds of what the burr leaves. Those of a ball are what was asked. A groove and a cavity have
-/// less curved walls, which need less than the bias of a ball, and edges between them, at which
+/// less curved walls, which need less than the biases of a ball, and edges between them, at which
 /// central differences meet two curvatures; both grow with the curvature. Measured, and a fifth
 /// more.
 struct CarvedBounds {
@@ -56,9 +56,7 @@ CarvedBounds boundsOf(const std::string& shape, double radius) {
           ball     ? (large ? 1.3 : 2.5)
           : groove ? 7.5 / radius
                    : 9.5 / radius,
-          large  ? 1.0
-          : ball ? 2.0
-                 : 4.0};
+          ball ? 1.0 : 11.5 / (radius * radius)};
 }
 
 /// All points within a radius of a rectangle, which may be a segment or a point.

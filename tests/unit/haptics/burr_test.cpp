@@ -146,21 +146,25 @@ TEST(Burr, LeavesABallWhereVoxelsAreUneven) {
 TEST(Burr, CountsTheVolumeOfABall) {
   Random random{49};
   for (const Matter& matter : {kBone, kBytes, kFloats})
-    for (const double radius : {2.0, 3.0, 5.0, 8.0, 12.0})
+    for (const double radius : {1.5, 1.75, 2.0, 2.5, 3.0, 5.0, 8.0, 12.0})
       for (const bool uneven : {false, true}) {
         const Vec3 spacing = 1e-3 * (uneven ? Vec3(0.6, 0.8, 1.0) : Vec3(1.0, 1.0, 1.0));
-        const Grid grid = gridOf(1e-3 * radius, spacing, random);
-        const Volume volume = solidOf(grid, matter);
-        const Vec3 centre = grid.worldOf(middleOf(grid) + random.box(0.5));
-        const BurrCut cut{centre, centre, 1e-3 * radius, matter.isovalue};
-        const Removed removed = carve(volume, cut);
-        const double ball = 4.0 / 3.0 * M_PI * std::pow(1e-3 * radius, 3);
-        const double off = removed.volume / ball - 1.0;
-        EXPECT_NEAR(off, 0.0, radius < 3.0 ? 0.02 : 0.01)
+        double worst = 0.0;
+        for (int n = 0; n < made::trials(radius < 3.0 ? 100 : 4); ++n) {
+          const Grid grid = gridOf(1e-3 * radius, spacing, random);
+          const Volume volume = solidOf(grid, matter);
+          const Vec3 centre = grid.worldOf(middleOf(grid) + random.box(0.5));
+          const BurrCut cut{centre, centre, 1e-3 * radius, matter.isovalue};
+          const double ball = 4.0 / 3.0 * M_PI * std::pow(1e-3 * radius, 3);
+          worst = std::max(worst, std::abs(carve(volume, cut).volume / ball - 1.0));
+          EXPECT_EQ(carve(volume, cut).volume, 0.0);
+        }
+        // a byte is a thirtieth of a voxel, and voxels that are no cubes bend the ball
+        const bool fine = matter.type != ScalarType::UInt8 && !uneven;
+        EXPECT_LE(worst, radius >= 2.0 || fine ? 0.0105 : 0.02)
             << haptics::nameOf(matter.type) << " " << radius << (uneven ? " uneven" : "");
         std::printf("%s %g%s: %.2f %%\n", haptics::nameOf(matter.type), radius,
-                    uneven ? " uneven" : "", 1e2 * off);
-        EXPECT_EQ(carve(volume, cut).volume, 0.0);
+                    uneven ? " uneven" : "", 1e2 * worst);
       }
 }
 
