@@ -317,17 +317,11 @@ TEST(Languages, NoLetterOpensTwoEntriesOfAMenu) {
     const ui::MainWindow& window = application.window();
     EXPECT_GT(expectLettersApart(window.menuBar()->actions(), language), 50);
   }
-  ui::setLanguage("en");
-  QLocale::setDefault(QLocale::c());
 }
 
 class German : public testing::Test {
  protected:
   German() { ui::setLanguage("de"); }
-  ~German() override {
-    ui::setLanguage("en");
-    QLocale::setDefault(QLocale::c());
-  }
 };
 
 TEST_F(German, IsSpokenByTheWindowWithItsNumbers) {

@@ -265,8 +265,6 @@ TEST(Help, SpeaksGermanWhereItCanAndItsLinksLeadWhereTheEnglishOnesDo) {
     EXPECT_GE(contents->count(), 2);
     EXPECT_LT(contents->count(), ui::helpPages().size() / 2);
   }
-  ui::setLanguage("en");
-  QLocale::setDefault(QLocale::c());
 }
 
 TEST(Help, IsSearchedAndGoesBackAndForward) {

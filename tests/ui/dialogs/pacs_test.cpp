@@ -342,22 +342,19 @@ TEST_F(Pacs, WithoutTheProgramTheMenuSaysSo) {
 
 TEST_F(Pacs, DaysAreTypedAsTheyAreRead) {
   QLocale::setDefault(QLocale("de_DE"));
-  {
-    ui::PacsWindow window;
-    auto* date = window.findChild<QLineEdit*>("pacsDate");
-    EXPECT_EQ(date->placeholderText(), "01.03.2024 - 31.03.2024");
-    for (const auto& [typed, sought] : {std::pair{"01.03.2024 - 31.03.2024", "20240301-20240331"},
-                                        {"5.3.2024", "20240305"},
-                                        {"2024-03-01-2024-03-31", "20240301-20240331"},
-                                        {"- 2024-03-31", "-20240331"},
-                                        {"20240301-", "20240301-"},
-                                        {"", ""},
-                                        {"no day", "no day"}}) {
-      date->setText(typed);
-      EXPECT_EQ(window.query().study_date, sought) << typed;
-    }
+  ui::PacsWindow window;
+  auto* date = window.findChild<QLineEdit*>("pacsDate");
+  EXPECT_EQ(date->placeholderText(), "01.03.2024 - 31.03.2024");
+  for (const auto& [typed, sought] : {std::pair{"01.03.2024 - 31.03.2024", "20240301-20240331"},
+                                      {"5.3.2024", "20240305"},
+                                      {"2024-03-01-2024-03-31", "20240301-20240331"},
+                                      {"- 2024-03-31", "-20240331"},
+                                      {"20240301-", "20240301-"},
+                                      {"", ""},
+                                      {"no day", "no day"}}) {
+    date->setText(typed);
+    EXPECT_EQ(window.query().study_date, sought) << typed;
   }
-  QLocale::setDefault(QLocale::c());
 }
 
 }  // namespace

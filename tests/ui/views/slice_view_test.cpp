@@ -700,13 +700,10 @@ TEST(SliceView, WordsGiveWayToTheNumberOfASlice) {
 }
 
 TEST(SliceView, APlaceIsThreeNumbersWithTheirFrameSaidOnce) {
-  const QLocale before;
-  QLocale::setDefault(QLocale(QLocale::English));
   EXPECT_EQ(ui::positionWords({177.2, -169.3, 1610.8}, true), "LPS 177.2, -169.3, 1610.8 mm");
   EXPECT_EQ(ui::positionWords({177.2, -169.3, 1610.8}, false), "scan 177.2, -169.3, 1610.8 mm");
   QLocale::setDefault(QLocale(QLocale::German));
   EXPECT_EQ(ui::positionWords({177.2, -169.3, 1610.8}, true), "LPS 177,2; -169,3; 1610,8 mm");
-  QLocale::setDefault(before);
 }
 
 }  // namespace

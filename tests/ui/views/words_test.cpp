@@ -10,7 +10,6 @@
 
 #include <QApplication>
 #include <QLabel>
-#include <QLocale>
 #include <QTest>
 #include <QToolButton>
 #include <algorithm>
@@ -217,11 +216,7 @@ struct Worded {
 
 class Words : public testing::Test {
  protected:
-  ~Words() override {
-    ui::setLanguage("en");
-    QLocale::setDefault(QLocale::c());
-    ui::style::applyTheme(*qApp, Theme::Dark);
-  }
+  ~Words() override { ui::style::applyTheme(*qApp, Theme::Dark); }
 
   static void expectApart(const std::shared_ptr<const haptics::Volume>& volume, const char* name,
                           const std::vector<Theme>& themes, const std::vector<Shared>& shared);
