@@ -481,6 +481,8 @@ TEST_F(Editing, PiecesAreChosenAndTheScalpelIsLedByKeys) {
       words << hint->accessibleName();
     return words;
   };
+  // with a tool that cuts they say so once it can
+  ASSERT_TRUE(waitFor([&] { return hints().join(' ').contains("Hold X: cuts."); }));
   const QStringList before = hints();
   click("piecesTool");
   for (const QString& hint : hints()) EXPECT_TRUE(hint.contains("piece")) << hint.toStdString();
@@ -530,7 +532,7 @@ TEST_F(Editing, PiecesAreChosenAndTheScalpelIsLedByKeys) {
   QTest::keyClick(&window().views().volume(), Qt::Key_Return);
   EXPECT_TRUE(previewed());
   QTest::keyClick(&window().views().volume(), Qt::Key_Escape);
-  EXPECT_EQ(hints(), before);
+  EXPECT_TRUE(waitFor([&] { return hints() == before; })) << hints().join('\n').toStdString();
 }
 
 TEST_F(Editing, NumbersOfTheCropBoxAreThoseOfPlacesElsewhere) {
