@@ -550,9 +550,10 @@ void Application::Parts::wireLeaving() {
           [this](bool, const QString& why) { endWriting(why); });
   view_file.setStrokes({.end =
                             [this] {
-                              cut.letGo();
+                              cut.rest(true);
                               return hasStrokes();
                             },
+                        .allow = [this] { cut.rest(false); },
                         .whenEdits =
                             [this](std::function<void()> then) {
                               if (!hasStrokes()) return then();

@@ -137,6 +137,7 @@ class Session::Loop {
     }
     servo->recording.store(ring.get());
     servo->watch.store(watch.get());
+    servo->cut_rests = cut_rests;
     try {
       servo->start();
     } catch (const std::system_error&) {
@@ -150,6 +151,7 @@ class Session::Loop {
     if (kept && scene && kept->scene()->id == scene->id) cutting = std::move(kept);
   }
   bool armed = true;          ///< the user's word, through every hand and scene
+  bool cut_rests = false;     ///< restCut(), through every hand
   std::uint64_t left_at = 0;  ///< the boundary behind which they do no more
   std::uint64_t unwatched_at = 0;
 };
@@ -254,6 +256,11 @@ void Session::cut(std::unique_ptr<Cutting> cutting) {
 void Session::holdCut(bool down) {
   constexpr std::int64_t kKeyCounts = 250'000'000;  // ns
   if (loop_->servo) loop_->servo->cut_until.store(down ? Watchdog::clock() + kKeyCounts : 0);
+}
+
+void Session::restCut(bool rests) {
+  loop_->cut_rests = rests;
+  if (loop_->servo) loop_->servo->cut_rests = rests;
 }
 
 std::size_t Session::cuts(std::span<BurrCut> cuts) {

@@ -75,6 +75,9 @@ class Session {
   /// The burr's key is down, or up. Down, it counts for a quarter of a second: say it at display
   /// rate.
   void holdCut(bool down);
+  /// The burr rests, in every hand, whatever key or button is held. Afterwards that must be
+  /// released before it turns again.
+  void restCut(bool rests);
   /// Moves cuts that were begun, oldest first, into `cuts`; returns how many.
   std::size_t cuts(std::span<BurrCut> cuts);
   /// The present scene with the cuts that were made in it, and so with its id: what is opened or

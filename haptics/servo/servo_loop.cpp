@@ -146,7 +146,8 @@ void ServoLoop::judgeCut(Period& period, std::int64_t now) HAPTICS_RT {
   constexpr auto kUnsure = static_cast<std::uint16_t>(
       StepFlags::kAdopted | StepFlags::kLost | StepFlags::kSilent | StepFlags::kNotReady |
       StepFlags::kGap | StepFlags::kTooFast | StepFlags::kJumped | StepFlags::kStalled);
-  if (period.has(kUnsure) || safety_.state() == ForceState::Fault)
+  if (period.has(kUnsure) || safety_.state() == ForceState::Fault ||
+      cut_rests.load(std::memory_order_relaxed))
     may_cut_ = false;
   else if (!down)
     may_cut_ = true;

@@ -63,6 +63,8 @@ class ServoLoop {
   /// Until then the key of the burr counts as down, by the watchdog's clock [ns]. A window that
   /// hangs does not say it again.
   std::atomic<std::int64_t> cut_until{0};
+  /// The burr rests, whatever is held. Afterwards it must be released before it turns.
+  std::atomic<bool> cut_rests{false};
   std::atomic<std::uint64_t> boundary{0};  ///< completed ticks
 
   /// Starts the thread.
@@ -114,7 +116,7 @@ class ServoLoop {
   Period takeWishes(std::int64_t now) HAPTICS_RT;
   void readDevice(Period& period, std::int64_t now) HAPTICS_RT;
   /// Whether the burr turns: its key or button is held, was released since the last start, scene,
-  /// gap or fault, the force is on, and somebody takes the cuts.
+  /// rest, gap or fault, the force is on, and somebody takes the cuts.
   void judgeCut(Period& period, std::int64_t now) HAPTICS_RT;
   ServoResult feel(Period& period, Budget& budget) HAPTICS_RT;
   void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;

@@ -623,6 +623,14 @@ TEST(Hazards, ABurrTurnsOnlyWhileItsKeyIsHeldAndWasReleasedBefore) {
     held.steps(4);
     held.device->status = DeviceStatus::Ok;
   });
+  ends("a question", [&] {
+    held.loop->cut_rests = true;
+    held.steps(2);
+    EXPECT_FALSE(held.turns());
+    held.releaseAndHold();
+    EXPECT_FALSE(held.turns());
+    held.loop->cut_rests = false;
+  });
   ends("another scene", [&] { held.offer(held.snapshot().X_WP); });
   // a button of the device does the same
   held.key(false);

@@ -179,6 +179,11 @@ bool surfaceColoured(QColor c) {
          c.red() < 1.5 * c.blue() + 20;
 }
 
+bool cutColoured(QColor c) {
+  return c.red() > 90 && c.red() > 1.4 * c.green() && c.green() > c.blue() &&
+         c.blue() > 0.6 * c.green();
+}
+
 int expectNothingBeside(const QWidget& panel, const char* where) {
   int looked = 0;
   for (const QWidget* child : panel.findChildren<QWidget*>()) {

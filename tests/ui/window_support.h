@@ -73,6 +73,8 @@ void expectNothingCut(const QWidget& parent, const char* where);
 bool proxyColoured(QColor colour);
 bool deviceColoured(QColor colour);
 bool surfaceColoured(QColor colour);
+/// Whether it is that of faces that a burr has cut.
+bool cutColoured(QColor colour);
 
 /// Formats as an export dialog is given them.
 inline std::vector<ui::ExportFormat> exportFormats() {

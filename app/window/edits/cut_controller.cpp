@@ -118,7 +118,9 @@ void CutController::showScene(const std::vector<datasets::Edit>& edits) {
   prepare();
 }
 
-void CutController::letGo() {
+void CutController::rest(bool on) {
+  shared_.session.restCut(on);
+  if (!on) return;
   let_go_ = let_go_ || key_;
   key_ = false;
   shared_.session.holdCut(false);

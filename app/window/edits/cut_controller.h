@@ -43,8 +43,9 @@ class CutController : public QObject {
   void showLive();
   /// Says again how a burr cuts in the present scene, if one can.
   void tellLaw();
-  /// As if the key were released, until it is: the stroke under way ends, and becomes an edit.
-  void letGo();
+  /// Whether the burr rests, whatever is held: the stroke under way ends, and becomes an edit.
+  /// Afterwards key or button must be released before it turns again.
+  void rest(bool on);
   /// Whether something was cut that is in no stroke yet.
   bool hasCut();
   /// During a replay nothing is cut.

@@ -345,10 +345,26 @@ void ViewFileController::refuseGeometry() {
 
 ViewFileController::Leave ViewFileController::leave(Leaving what,
                                                     std::function<void(bool saved)> then) {
+  const Leave answer = ask(what, strokes_.end());
+  if (answer != Leave::AfterSaving) {
+    strokes_.allow();
+    return answer;
+  }
+  const auto settled = [this, then = std::move(then)](bool saved) {
+    strokes_.allow();
+    then(saved);
+  };
+  strokes_.whenEdits([this, settled] {
+    if (!saveOrAsk()) return settled(false);
+    then_ = settled;
+  });
+  return answer;
+}
+
+ViewFileController::Leave ViewFileController::ask(Leaving what, bool strokes) {
   const bool marks = what == Leaving::Window && marks_.areUnsaved();
   const int elsewhere = what == Leaving::Window ? marks_.scansUnsaved() : 0;
   const std::vector<std::string> present = editsOnView();
-  const bool strokes = strokes_.end();
   const bool edits = strokes || (!present.empty() && present != edits_in_file_);
   if (!marks && !edits && elsewhere == 0) return Leave::Now;
   const QString consequence = what == Leaving::Window ? tr("They are lost when the window closes.")
@@ -374,10 +390,6 @@ ViewFileController::Leave ViewFileController::leave(Leaving what,
     case ui::Unsaved::Save:
       break;
   }
-  strokes_.whenEdits([this, then = std::move(then)] {
-    if (!saveOrAsk()) return then(false);
-    then_ = then;
-  });
   return Leave::AfterSaving;
 }
 

@@ -47,8 +47,11 @@ class ViewFileController : public QObject {
 
   /// What a burr cuts: an edit that is not on view yet.
   struct Strokes {
-    /// Ends the stroke under way; whether there is one, or one before that is no edit yet.
+    /// Ends the stroke under way, and lets no other begin; whether there is one, or one before that
+    /// is no edit yet.
     std::function<bool()> end = [] { return false; };
+    /// Others may begin again.
+    std::function<void()> allow = [] {};
     /// Calls this when all are edits, at once or later.
     std::function<void(std::function<void()> then)> whenEdits = [](const auto& then) { then(); };
   };
@@ -68,8 +71,10 @@ class ViewFileController : public QObject {
   bool askAndSave();
   enum class Leave { Now, Stay, AfterSaving };
   /// Asks about what is in no file and would be lost, if there is something; a stroke under way
-  /// ends. If the user saves it first, `then` is called when that is done, with whether it was.
+  /// ends, and none begins until that is settled. If the user saves it first, `then` is called when
+  /// that is done, with whether it was.
   Leave leave(Leaving what, std::function<void(bool saved)> then);
+  Leave ask(Leaving what, bool strokes);
   /// Saves to this file; `with_place`: with the scan's place relative to it.
   void save(const std::filesystem::path& path, bool with_place);
   /// Call it when a scene is on view.

@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
-#include <QKeyEvent>
 #include <QPointer>
 #include <QProcess>
 #include <QPushButton>
@@ -28,18 +27,15 @@
 #include "app/recording/cut_words.h"
 #include "app/recording/recording.h"
 #include "app/recording/replay.h"
-#include "app/view_file/view_file.h"
 #include "app/window/edits/edit_controller.h"
 #include "app/window/scan/edited_volume.h"
 #include "app/window/sessions/export_controller.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
 #include "app/window/structures/structures_controller.h"
-#include "app/window/views/view_file_controller.h"
 #include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
-#include "tests/ui/answers.h"
-#include "tests/ui/edits/editing.h"
+#include "tests/ui/edits/cutting.h"
 #include "tests/ui/fake_program.h"
 #include "tests/ui/views/sphere_in_hand.h"
 #include "tests/ui/window_support.h"
@@ -56,128 +52,13 @@
 namespace {
 
 using Eigen::Vector3d;
+using window::cutColoured;
+using window::Cutting;
 using window::waitFor;
-
-class Cutting : public window::Editing {
- protected:
-  /// A plate across the patient, and a burr of 4 mm that is ready.
-  void openWithBurr();
-  QString state() { return child<QLabel>("cutState").text(); }
-  bool isReady() {
-    return waitFor(
-        [&] { return application_->snapshot().can_cut && state().startsWith("Hold X"); });
-  }
-  /// The hand goes there with the burr's tip, in small steps.
-  void pullTip(const Vector3d& p_mm);
-  /// So deep below the plate's front, and so far aside.
-  static Vector3d at(double depth_mm, double aside_mm = 0.0) {
-    return {aside_mm, kFront_mm + depth_mm, 0.0};
-  }
-  void holdKey(bool down);
-  double removed_mm3();
-  std::size_t strokes();
-  /// Presses the burr into the large ball from the front, at a place beside its middle, until it
-  /// has removed so much more, and lets the key go. The tool stays in contact.
-  void cut(double aside_mm, double mm3);
-  void lift();
-  /// After a question: without a window manager the window does not become active by itself.
-  void comeBack() {
-    window().activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&window(), 120'000));
-  }
-
-  static constexpr double kFront_mm = -10.0;  ///< y of the plate's front; it is 20 mm thick
-};
-
-void Cutting::openWithBurr() {
-  const auto path = std::filesystem::path(scans_.path().toStdString()) / "plate.nrrd";
-  const auto scan = window::volumeOf(
-      window::cubeGrid(64), haptics::ScalarType::Int16, [&](const haptics::Vec3& p_W) {
-        const Vector3d p = p_W * 1e3;
-        const double out =
-            std::max({std::abs(p.y()) + kFront_mm, std::abs(p.x()) - 24.0, std::abs(p.z()) - 24.0});
-        return 100.0 * std::clamp(0.5 - out / 3.0, 0.0, 1.0);
-      });
-  ASSERT_TRUE(datasets::writeNrrd(*scan, path).has_value());
-  open(path, 50.0);
-  QTest::mouseClick(&child("cut_burr-4"), Qt::LeftButton);
-  ASSERT_TRUE(waitFor([&] { return application_->shown()->tool.name == "burr-4"; }));
-  ASSERT_TRUE(isReady()) << state().toStdString();
-  // the tool stands straight on the plate: seen aslant, it hides nothing
-  window().views().volume().camera()->Azimuth(50.0);
-  window().views().volume().camera()->Elevation(25.0);
-  EXPECT_TRUE(child("cut_burr-4").isChecked());
-  EXPECT_FALSE(child("cut_burr-6").isChecked());
-  EXPECT_TRUE(window().views().volume().hint().startsWith("Hold X: cuts. "));
-}
-
-void Cutting::pullTip(const Vector3d& p_mm) {
-  // straight at the plate: aslant, it would turn in the mouse's grip
-  haptics::Pose X = haptics::Pose::Identity();
-  X.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  const haptics::Vec3 tip = application_->shown()->scene->tool.shell.tip;
-  const haptics::Vec3 from = application_->snapshot().X_WD * tip;
-  for (int n = 1; n <= 25; ++n) {
-    X.translation() = from + (p_mm * 1e-3 - from) * (n / 25.0) - X.linear() * tip;
-    application_->session().pull(X);
-    window::afterTicks(*application_, 12);
-  }
-  window::afterTicks(*application_, 300);
-}
-
-void Cutting::holdKey(bool down) {
-  ui::VolumeView& view = window().views().volume();
-  view.setFocus();
-  if (down)
-    QTest::keyPress(&view, Qt::Key_X);
-  else
-    QTest::keyRelease(&view, Qt::Key_X);
-}
-
-double Cutting::removed_mm3() {
-  const QString words = child<QLabel>("cutRemoved").text();
-  return words.section(' ', 1, 1).toDouble();
-}
-
-std::size_t Cutting::strokes() {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      application_->editing().edits(),
-      [](const datasets::Edit& edit) { return std::holds_alternative<datasets::Stroke>(edit); }));
-}
-
-void Cutting::cut(double aside_mm, double mm3) {
-  const double before = removed_mm3();
-  const std::size_t strokes_before = strokes();
-  pullTip(at(-6.0, aside_mm));
-  pullTip(at(5.0, aside_mm));
-  ASSERT_GT(application_->snapshot().contacts, 0);
-  EXPECT_EQ(removed_mm3(), before);  // nothing without the key
-  holdKey(true);
-  bool turned = false;  // a window that is slow lets it rest now and then
-  ASSERT_TRUE(waitFor([&] {
-    turned = turned || state().startsWith("The burr turns: ");
-    return removed_mm3() >= before + mm3;
-  })) << state().toStdString();
-  EXPECT_TRUE(turned);
-  EXPECT_EQ(strokes(), strokes_before);
-  holdKey(false);
-  ASSERT_TRUE(waitFor([&] { return strokes() == strokes_before + 1; }));
-  settle();
-  EXPECT_TRUE(state().startsWith("Hold X"));
-}
-
-void Cutting::lift() {
-  pullTip(at(-25.0));
-  ASSERT_TRUE(waitFor([&] { return application_->snapshot().contacts == 0; }));
-}
 
 bool turningColoured(QColor c) {
   return c.red() > 150 && c.green() > 0.54 * c.red() && c.green() < 0.72 * c.red() &&
          c.blue() < 0.35 * c.red();
-}
-bool cutColoured(QColor c) {
-  return c.red() > 90 && c.red() > 1.4 * c.green() && c.green() > c.blue() &&
-         c.blue() > 0.6 * c.green();
 }
 
 TEST_F(Cutting, IsSeenWhileItIsDoneAndIsThereForEyeAndHandAfterwards) {
@@ -667,112 +548,6 @@ TEST_F(Cutting, IsRecordedFromTheMiddleOnAndReplayedToTheBit) {
   const QImage last(scans_.filePath(pictures.last()));
   window::keep(last, "film_of_cuts");
   EXPECT_GT(window::count(last, cutColoured), 60);
-}
-
-// A stroke under way ends first, and counts.
-TEST_F(Cutting, ThatIsInNoFileIsAskedAboutBeforeTheWindowCloses) {
-  openWithBurr();
-  ASSERT_FALSE(HasFatalFailure());
-  const QString path = scans_.filePath("cut.palpate-view");
-  lift();
-  pullTip(at(5.0));
-  holdKey(true);
-  ASSERT_TRUE(waitFor([&] { return removed_mm3() > 15.0; })) << state().toStdString();
-  EXPECT_EQ(strokes(), 0U);
-  {
-    const window::Answer answer("Cancel");
-    window().close();
-    EXPECT_TRUE(answer.said.contains("edits of this scan are not saved"))
-        << answer.said.toStdString();
-  }
-  EXPECT_TRUE(window().isVisible());
-  comeBack();
-  ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
-  settle();
-  EXPECT_FALSE(application_->snapshot().cuts);
-  EXPECT_FALSE(isThere(at(1.0)));
-  window().views().setCross(at(3.0));
-  expectTheSameEverywhere();
-  lift();
-  undo();
-  EXPECT_TRUE(isThere(at(1.0)));
-  redo();
-  // one that is saved first is in the file
-  holdKey(false);
-  ASSERT_TRUE(isReady());
-  pullTip(at(-6.0, 5.0));
-  pullTip(at(5.0, 5.0));
-  const double before = removed_mm3();
-  holdKey(true);
-  ASSERT_TRUE(waitFor([&] { return removed_mm3() > before + 3.0; })) << state().toStdString();
-  EXPECT_EQ(strokes(), 1U);
-  {
-    const window::Answer answer("Save");
-    const window::FileName name(path);
-    window().close();
-    EXPECT_TRUE(waitFor([&] { return !window().isVisible(); }));
-  }
-  EXPECT_EQ(app::readViewFile(path.toStdString())->edits.size(), 2U);
-}
-
-TEST_F(Cutting, ThatIsInNoFileIsAskedAboutBeforeAnotherScanTakesItsPlace) {
-  const auto path = std::filesystem::path(scans_.path().toStdString()) / "another.nrrd";
-  const auto another = window::volumeOf(window::cubeGrid(40), haptics::ScalarType::Int16,
-                                        window::ball({0, 0, 0}, 0.012));
-  ASSERT_TRUE(datasets::writeNrrd(*another, path).has_value());
-  openWithBurr();
-  ASSERT_FALSE(HasFatalFailure());
-  const auto drop = [&] { emit window().dropped({QString::fromStdString(path.string())}); };
-  const auto expectQuestion = [&](const char* button) {
-    const window::Answer answer(button);
-    drop();
-    EXPECT_TRUE(waitFor([&] { return !answer.said.isEmpty(); }));
-    EXPECT_TRUE(answer.said.contains("edits of this scan are not saved"))
-        << answer.said.toStdString();
-    comeBack();
-  };
-  lift();
-  pullTip(at(5.0));
-  holdKey(true);
-  ASSERT_TRUE(waitFor([&] { return removed_mm3() > 15.0; })) << state().toStdString();
-  EXPECT_EQ(strokes(), 0U);
-  expectQuestion("Cancel");  // under way
-  ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
-  settle();
-  EXPECT_FALSE(isThere(at(1.0)));
-  holdKey(false);
-  expectQuestion("Cancel");  // ended
-  settle();
-  EXPECT_EQ(strokes(), 1U);
-  EXPECT_FALSE(isThere(at(1.0)));
-  EXPECT_TRUE(window().windowTitle().startsWith("plate"));
-  // what is lost with the user's word is lost
-  ASSERT_TRUE(isReady());
-  holdKey(true);
-  const double before = removed_mm3();
-  pullTip(at(8.0));
-  ASSERT_TRUE(waitFor([&] { return removed_mm3() > before + 2.0; })) << state().toStdString();
-  expectQuestion("Discard");
-  holdKey(false);
-  ASSERT_TRUE(waitFor([&] { return !window().windowTitle().startsWith("plate"); }));
-  EXPECT_EQ(strokes(), 0U);
-  EXPECT_EQ(application_->shown()->volume()->derivation, nullptr);
-  emit window().dropped({scans_.filePath("plate.nrrd")});
-  ASSERT_TRUE(waitFor([&] { return window().windowTitle().startsWith("plate"); }));
-  ASSERT_TRUE(isReady());
-  EXPECT_GE(felt(at(1.0)), isovalue_);
-  // and one that is saved is not asked about
-  cut(0.0, 5.0);
-  ASSERT_FALSE(HasFatalFailure());
-  QSignalSpy finished(&application_->viewFile(), &app::ViewFileController::finished);
-  application_->viewFile().save(scans_.filePath("cut.palpate-view").toStdString(), false);
-  ASSERT_TRUE(waitFor([&] { return finished.count() > 0; }));
-  EXPECT_TRUE(finished[0][0].toBool());
-  const window::Answer answer("Cancel");
-  drop();
-  EXPECT_TRUE(waitFor([&] { return !window().windowTitle().startsWith("plate"); }));
-  EXPECT_TRUE(window().close());
-  EXPECT_TRUE(answer.said.isEmpty()) << answer.said.toStdString();
 }
 
 }  // namespace
