@@ -203,9 +203,9 @@ void CarvedPart::upload(vtkOpenGLGPUVolumeRayCastMapper& caster) {
 void CarvedPart::tint(vtkVolume& volume) { tint_->attachTo(volume); }
 
 void CarvedPart::tintFor(double isovalue) {
-  // a byte a voxel: beyond it, the colour is not worth the memory
-  constexpr std::int64_t kMostVoxels = std::int64_t{1} << 28;
-  if (!tinted_ || !scan_ || isEmpty()) return tint_->forget();
+  // two bytes a voxel: beyond it, the colour is not worth the memory
+  constexpr std::int64_t kMostVoxels = std::int64_t{1} << 27;
+  if (!tinted_ || !scan_ || isEmpty() || !(scan_->least < scan_->greatest)) return tint_->forget();
   haptics::VoxelBox box;
   for (const auto& [index, brick] : bricks_) {
     haptics::VoxelBox one;
@@ -220,7 +220,8 @@ void CarvedPart::tintFor(double isovalue) {
   if (voxels > kMostVoxels) return tint_->forget();
   if (box != tinted_box_ || !tint_->isOn()) tint_->show(*scan_, box);
   tinted_box_ = box;
-  tint_->setAbove(cutAbove(*scan_, isovalue));
+  // of a scan with a few values that are far off, less than a step is no difference
+  tint_->setAbove(std::max(cutAbove(*scan_, isovalue), isovalue + 2.0 * tint_->step()));
 }
 
 vtkSmartPointer<vtkPolyData> CarvedPart::meshOf(const BrickIndex& brick, double isovalue,

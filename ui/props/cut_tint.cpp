@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/props/cut_tint.h"
 
+#include <vtkAbstractVolumeMapper.h>
+#include <vtkCommand.h>
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseVectorKey.h>
 #include <vtkNew.h>
@@ -17,6 +19,11 @@
 #include <iterator>
 
 namespace ui {
+namespace {
+
+constexpr double kMost = 65'535.0;  // of a texel
+
+}  // namespace
 
 vtkStandardNewMacro(CutTint);
 
@@ -41,28 +48,29 @@ void CutTint::attachTo(vtkVolume& volume) {
   vtkNew<vtkInformation> keys;
   vtkOpenGLRenderPass::RenderPasses()->Append(keys, this);
   volume.SetPropertyKeys(keys);
+  volume.GetMapper()->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this, &CutTint::leave);
 }
 
 void CutTint::show(const haptics::Volume& scan, const haptics::VoxelBox& box) {
   least_ = scan.least;
-  greatest_ = std::max(scan.greatest, scan.least + 1e-9);
+  greatest_ = scan.greatest;
   const auto& dims = scan.grid.dims;
   for (std::size_t a = 0; a < 3; ++a) {
     size_[a] = static_cast<unsigned>(box.end[a] - box.first[a]);
     first_[a] = static_cast<float>(static_cast<double>(box.first[a]) / double(dims[a]));
     scale_[a] = static_cast<float>(static_cast<double>(dims[a]) / size_[a]);
   }
-  bytes_.clear();
-  bytes_.reserve(std::size_t{size_[0]} * size_[1] * size_[2]);
-  const double per_value = 255.0 / (greatest_ - least_);
+  texels_.clear();
+  texels_.reserve(std::size_t{size_[0]} * size_[1] * size_[2]);
+  const double per_value = 1.0 / step();
   haptics::visitVoxels(scan.type, scan.voxels.get(), [&](const auto* voxels) {
     for (std::int64_t k = box.first[2]; k < box.end[2]; ++k)
       for (std::int64_t j = box.first[1]; j < box.end[1]; ++j) {
         const auto* row = voxels + (k * dims[1] + j) * dims[0];
-        std::transform(row + box.first[0], row + box.end[0], std::back_inserter(bytes_),
+        std::transform(row + box.first[0], row + box.end[0], std::back_inserter(texels_),
                        [&](auto value) {
                          const double part = (static_cast<double>(value) - least_) * per_value;
-                         return static_cast<std::uint8_t>(std::clamp(part, 0.0, 255.0) + 0.5);
+                         return static_cast<std::uint16_t>(std::clamp(part, 0.0, kMost) + 0.5);
                        });
       }
   });
@@ -72,12 +80,14 @@ void CutTint::show(const haptics::Volume& scan, const haptics::VoxelBox& box) {
 
 void CutTint::forget() {
   if (!on_) return;
-  bytes_ = {0};
+  texels_ = {0};
   size_ = {1, 1, 1};
   is_new_ = true;
   above_ = 2.0F;
   on_ = false;
 }
+
+double CutTint::step() const { return (greatest_ - least_) / kMost; }
 
 void CutTint::setAbove(double value) {
   above_ = static_cast<float>((value - least_) / (greatest_ - least_));
@@ -91,7 +101,7 @@ bool CutTint::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* 
     // the volume's own texture knows the window
     texture_->SetContext(
         caster->AssembledInputs[0].Texture->GetCurrentBlock()->TextureObject->GetContext());
-    texture_->Create3DFromRaw(size_[0], size_[1], size_[2], 1, VTK_UNSIGNED_CHAR, bytes_.data());
+    texture_->Create3DFromRaw(size_[0], size_[1], size_[2], 1, VTK_UNSIGNED_SHORT, texels_.data());
     texture_->SetMagnificationFilter(vtkTextureObject::Linear);
     texture_->SetMinificationFilter(vtkTextureObject::Linear);
     is_new_ = false;
@@ -102,6 +112,10 @@ bool CutTint::SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* 
   program->SetUniform3f("cutScale", scale_.data());
   program->SetUniformf("cutAbove", above_);
   return true;
+}
+
+void CutTint::leave() {
+  if (texture_->GetHandle() != 0) texture_->Deactivate();
 }
 
 void CutTint::ReleaseGraphicsResources(vtkWindow* window) {

@@ -16,8 +16,8 @@ class vtkVolume;
 namespace ui {
 
 /// Gives the ray-cast surface of a volume another colour where the scan was solid before it was
-/// cut: it brings the scan's voxels of a box to the shader, a byte each. The texture is made when
-/// the volume is drawn next. GUI thread.
+/// cut: it brings the scan's voxels of a box to the shader, two bytes each. The texture is made
+/// when the volume is drawn next. GUI thread.
 class CutTint : public vtkOpenGLRenderPass {
  public:
   static CutTint* New();
@@ -28,12 +28,15 @@ class CutTint : public vtkOpenGLRenderPass {
       static const char* const kDeclared;
   static const char* const kIsCut;
 
-  /// Colours this volume.
+  /// Colours this volume, which has its mapper.
   void attachTo(vtkVolume& volume);
+  /// `scan` has more than one value.
   void show(const haptics::Volume& scan, const haptics::VoxelBox& box);
   /// Nothing was cut.
   void forget();
   bool isOn() const { return on_; }
+  /// The smallest difference of the scan's values that is told.
+  double step() const;
   /// Where the scan's field is above this value, the surface was cut.
   void setAbove(double value);
 
@@ -47,13 +50,16 @@ class CutTint : public vtkOpenGLRenderPass {
   ~CutTint() override;
 
  private:
-  std::vector<std::uint8_t> bytes_ = {0};  ///< of the box
+  /// The volume was drawn: gives the texture unit back.
+  void leave();
+
+  std::vector<std::uint16_t> texels_ = {0};  ///< of the box
   std::array<unsigned, 3> size_{1, 1, 1};
   std::array<float, 3> first_{}, scale_{1.0F, 1.0F, 1.0F};
   double least_ = 0.0, greatest_ = 1.0;
   float above_ = 2.0F;  ///< of the texture's 0 to 1
   bool on_ = false;
-  bool is_new_ = true;  ///< the texture has other bytes
+  bool is_new_ = true;  ///< the texture has others
   vtkSmartPointer<vtkTextureObject> texture_;
 };
 

@@ -9,6 +9,8 @@
 
 #include <QTest>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "datasets/phantoms/phantoms.h"
 #include "datasets/readers/volume_reader.h"
@@ -193,6 +195,40 @@ TEST(VolumeView, DrawsEveryScalarTypeByRayCasting) {
     window::keep(image, haptics::nameOf(type));
     EXPECT_GT(window::count(image, window::surfaceColoured), 3'000);
   }
+}
+
+TEST(VolumeView, TintsWhatWasCutAndNothingElseHoweverFarASingleValueIs) {
+  using haptics::ScalarType;
+  const auto ball = window::ball(Vec3::Zero(), 0.016);
+  const auto drawn = [&](ScalarType type, double far_off, bool pit) {
+    const auto made = [&](bool cut) {
+      return window::volumeOf(window::cubeGrid(48), type, [&, cut](const Vec3& p) {
+        if ((p - Vec3::Constant(0.0225)).norm() < 5e-4) return far_off;
+        return cut && (p - Vec3{0.0, -0.016, 0.0}).norm() < 0.005 ? 0.0 : ball(p);
+      });
+    };
+    const auto scan = made(false), left = pit ? made(true) : scan;
+    ui::VolumeView view;
+    view.setSurfaceWish(SurfaceMode::RayCast);
+    window::showAndWait(view, {200, 200});
+    view.show(ui::pictureOf(left), 50.0);
+    view.resetCamera();
+    view.showLive(*left, scan, {});
+    view.carve(left->bounds());
+    const QImage image = window::pictureAtRest(view);
+    window::keep(image,
+                 (std::string("tinted_") + haptics::nameOf(type) + (pit ? "_pit" : "")).c_str());
+    EXPECT_GT(window::count(image, [](QColor c) { return c.red() > 60; }), 2'000);
+    return window::count(image, window::cutColoured);
+  };
+  for (const auto& [type, far_off] : {std::pair{ScalarType::UInt8, 255.0},
+                                      {ScalarType::Int16, 30'000.0},
+                                      {ScalarType::UInt32, 4e9},
+                                      {ScalarType::Float32, 3e38}}) {
+    SCOPED_TRACE(haptics::nameOf(type));
+    EXPECT_LT(drawn(type, far_off, false), 5);
+  }
+  EXPECT_GT(drawn(ScalarType::Int16, 30'000.0, true), 100);
 }
 
 TEST(VolumeView, ShowsACutFaceAsSolid) {
