@@ -2,12 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Judges a trace of `palpate-cli run` without any code of Palpate.
 
-  evaluate_trace.py --volume V.nrrd --isovalue S --shell SHELL.csv TRACE.csv [--json]
+  evaluate_trace.py --volume V.nrrd --isovalue S --shell SHELL.csv TRACE.csv
+                    [--recording R.palpate [--left LEFT.nrrd]] [--json]
   evaluate_trace.py --self-test
 
 The volume is an NRRD in millimetres (attached, or detached beside its header; raw or gzip); the
 shell is the x,y,z in metres that `palpate-cli tool --out` writes; the trace has 22 columns: t_s,
-device pose, proxy pose (each x,y,z,qw,qx,qy,qz), force, torque, contacts. What is measured:
+device pose, proxy pose (each x,y,z,qw,qx,qy,qz), force, torque, contacts.
+
+With the recording of the same run (`--cut --record R.palpate --save-volume LEFT.nrrd`) the volume changes:
+the proxy of a tick is judged over the voxels as they stood when it moved, that is with all cuts that began
+in earlier ticks. They are carried out here, too (trace_cuts.py). What is measured:
 
   max_penetration_mm    deepest shell point over all proxy poses: 0 where F < s, else (F - s) over
                         the slope of its trilinear cell, and where that vanishes the distance to
@@ -15,7 +20,8 @@ device pose, proxy pose (each x,y,z,qw,qx,qy,qz), force, torque, contacts. What 
   contact_ticks         ticks with contacts > 0, and their share
   device_depth_mm       how far the deepest shell point at a device pose lies inside: the distance
                         to the surface towards the nearest voxel with F < s, over the ticks in
-                        contact with the largest offset and as many others
+                        contact with the largest offset and as many others; where a burr cut, in
+                        what it left in the end
   device_offset_mm      largest distance of proxy and device along the force
   coupling_mm           mean distance of proxy and device in contact, by the tool's mass metric
   frozen_share          of the contact ticks: the proxy within 1e-6 mm of where it was
@@ -27,8 +33,16 @@ device pose, proxy pose (each x,y,z,qw,qx,qy,qz), force, torque, contacts. What 
   force_against_ticks   ticks with a force whose product with (proxy - device) is not positive
   free_force_N          largest force in a tick without contact
   nonfinite             numbers in the trace that are none
+  cuts                  of the recording; `removed_mm3` as it has them, `lowered_voxels` and
+                        `removed_voxels` (from the isovalue or above to below it) as found here
+  undecided_ticks       in which the proxy lies in what the cut under way may have left or not
+  left                  the voxels of LEFT.nrrd that are others than here, and the largest
+                        difference; they are `as_cut` if whole numbers differ by one at most, and in
+                        two or at most 1 % of the lowered voxels, as floats round otherwise than
+                        doubles, and others by 1e-5 of the scan's range
 
-Exit: 0 sound; 1 a penetration or a non-finite number; 2 it cannot be judged; 77 no numpy.
+Exit: 0 sound; 1 a penetration, a non-finite number, or voxels left otherwise; 2 it cannot be judged;
+77 no numpy.
 """
 
 import argparse
@@ -44,6 +58,7 @@ except ModuleNotFoundError as missing:
     print(f"{missing}; install python3-numpy", file=sys.stderr)
     sys.exit(77)  # ctest reads it as skipped
 
+import trace_cuts
 import trace_volume
 
 COLUMNS = 22
@@ -111,20 +126,55 @@ def placed(shell, position, q):
     return np.einsum("tij,nj->tni", rotations(q), shell) + position[:, None, :]
 
 
-def penetrations(volume, isovalue, shell, trace):
-    """Deepest shell point of each proxy pose, mm."""
-    deepest = np.zeros(len(trace.t))
+def depth_of(volume, isovalue, points):
+    """Deepest of these points, mm; 0 if all are legal."""
+    points = points[volume.values(points) >= isovalue]
+    return float(volume.penetration(points, isovalue).max() * 1e3) if len(points) else 0.0
+
+
+def penetrations(volume, isovalue, shell, trace, carving=None):
+    """Deepest shell point of each proxy pose, mm, and the ticks that cannot be decided. A carving makes
+    its cuts on the way; they only lower the field, so a point that was legal before them stays so."""
+    deepest, undecided = np.zeros(len(trace.t)), 0
     batch = max(1, POINTS_AT_ONCE // len(shell))
+    nearly = isovalue - 1e-9 * (abs(isovalue) + abs(volume.background))  # beyond all rounding
     for begin in range(0, len(trace.t), batch):
+        if carving:
+            carving.until(begin)
         ticks = slice(begin, begin + batch)
         points = placed(shell, trace.proxy[ticks], trace.proxy_q[ticks])
-        count = len(points)
-        points = points.reshape(-1, 3)
-        inside = np.flatnonzero(volume.values(points) >= isovalue)
-        if len(inside):
-            depth = volume.penetration(points[inside], isovalue)
-            np.maximum.at(deepest, begin + inside // (len(points) // count), depth * 1e3)
-    return deepest
+        maybe = (volume.values(points.reshape(-1, 3)) >= nearly).reshape(len(points), -1)
+        for n in np.flatnonzero(maybe.any(axis=1)):
+            tick, here = begin + n, points[n][maybe[n]]
+            if carving:
+                carving.until(tick)
+            deepest[tick] = depth_of(volume, isovalue, here)
+            if carving and deepest[tick] > 0.0:
+                least = carving.with_cut_under_way(tick, lambda: depth_of(volume, isovalue, here))
+                if least == 0.0:
+                    deepest[tick] = 0.0
+                    undecided += 1
+    return deepest, undecided
+
+
+def what_was_cut(carving, left):
+    """Figures of the cuts, once all are made; `left`: what the run saved, or none."""
+    recording = carving.recording
+    apart = carving.differences(left) if left else None
+    result = {
+        "cuts": len(recording.tick),
+        "removed_mm3": float(recording.removed.sum() * 1e9),
+        "removed_voxels": carving.removed,
+        "lowered_voxels": int(np.count_nonzero(carving.lowered)),
+    }
+    if left:
+        largest = float(apart.max(initial=0.0))
+        if left.voxels.dtype.kind == "f":
+            as_cut = largest <= 1e-5 * (carving.greatest - left.background)
+        else:
+            as_cut = largest <= 1.0 and len(apart) <= max(2, 0.01 * result["lowered_voxels"])
+        result["left"] = {"other_voxels": len(apart), "largest": largest, "as_cut": bool(as_cut)}
+    return result
 
 
 def device_depth(volume, isovalue, shell, trace, candidates):
@@ -173,13 +223,17 @@ def depth_candidates(contact, offset):
     return sorted(set(chosen) | {int(tick) for tick in touching[even]})
 
 
-def evaluate(volume, isovalue, shell, trace):
+def evaluate(volume, isovalue, shell, trace, carving=None, left=None):
     ticks = len(trace.t)
     radius = float(np.linalg.norm(shell, axis=1).max())
     contact = trace.contacts > 0
     result = {"ticks": ticks, "points": len(shell), "nonfinite": trace.nonfinite}
 
-    deepest = penetrations(volume, isovalue, shell, trace)
+    deepest, undecided = penetrations(volume, isovalue, shell, trace, carving)
+    if carving:
+        carving.until(ticks)
+        result["undecided_ticks"] = undecided
+        result.update(what_was_cut(carving, left))
     result["max_penetration_mm"] = float(deepest.max(initial=0.0))
     result["penetrating_ticks"] = int(np.count_nonzero(deepest))
     result["penetration_tick"] = int(deepest.argmax()) if deepest.any() else None
@@ -231,7 +285,8 @@ def evaluate(volume, isovalue, shell, trace):
         "ratio": travel / led if led > 0 else None,
         "following": following / led if led > 0 else None,
     }
-    result["sound"] = result["max_penetration_mm"] == 0.0 and trace.nonfinite == 0 and ticks > 0
+    result["sound"] = (result["max_penetration_mm"] == 0.0 and trace.nonfinite == 0 and ticks > 0
+                       and result.get("left", {"as_cut": True})["as_cut"])
     return result
 
 
@@ -241,6 +296,8 @@ def main(arguments):
     parser.add_argument("--volume", help="NRRD")
     parser.add_argument("--isovalue", type=float)
     parser.add_argument("--shell", help="CSV of x,y,z in metres")
+    parser.add_argument("--recording", help="of the same run, in which a burr cut")
+    parser.add_argument("--left", help="NRRD that the run saved; with --recording")
     parser.add_argument("--json", action="store_true", help="one object on standard output")
     parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args(arguments)
@@ -250,12 +307,20 @@ def main(arguments):
         return evaluate_trace_test.run()
     if not (options.trace and options.volume and options.shell) or options.isovalue is None:
         parser.error("a trace, --volume, --isovalue and --shell are needed")
+    if options.left and not options.recording:
+        parser.error("--left needs --recording")
     try:
         volume = trace_volume.read(options.volume)
         if not math.isfinite(options.isovalue) or options.isovalue <= volume.background:
             raise ValueError("the isovalue must be above the background")
         trace = Trace(options.trace)
-        result = evaluate(volume, options.isovalue, read_shell(options.shell), trace)
+        carving = left = None
+        if options.recording:
+            recording = trace_cuts.Recording(options.recording)
+            recording.fits(volume, trace)
+            carving = trace_cuts.Carving(volume, recording)
+            left = trace_volume.read(options.left) if options.left else None
+        result = evaluate(volume, options.isovalue, read_shell(options.shell), trace, carving, left)
     except (OSError, ValueError) as wrong:
         print(f"evaluate_trace: {wrong}", file=sys.stderr)
         return 2
@@ -264,7 +329,9 @@ def main(arguments):
     else:
         for name, value in result.items():
             print(f"{name:22} {value}")
-    return 0 if result["sound"] else 1
+    if not result["sound"]:
+        return 1
+    return 2 if result.get("undecided_ticks") else 0
 
 
 if __name__ == "__main__":

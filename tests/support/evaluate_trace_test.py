@@ -12,6 +12,7 @@ import unittest
 
 import evaluate_trace
 import numpy as np
+import trace_cuts_test
 import trace_volume
 
 R = 12.0  # mm, of the sphere
@@ -211,5 +212,6 @@ class EvaluateTrace(unittest.TestCase):
 
 def run():
     """0 if every known answer is met."""
-    suite = unittest.defaultTestLoader.loadTestsFromTestCase(EvaluateTrace)
+    load = unittest.defaultTestLoader.loadTestsFromTestCase
+    suite = unittest.TestSuite([load(EvaluateTrace), load(trace_cuts_test.EvaluateCuts)])
     return 0 if unittest.TextTestRunner(verbosity=1).run(suite).wasSuccessful() else 1
