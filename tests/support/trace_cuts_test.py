@@ -183,6 +183,12 @@ class EvaluateCuts(unittest.TestCase):
             at = tuple(20 + np.array(place[::-1]))
             self.assertAlmostEqual(float(floats.voxels[at]), value, 3, place)
             self.assertEqual(int(whole.voxels[at]), math.floor(value + 0.5), place)
+        # slices of 2 mm: half a millimetre before the wall is a quarter of a voxel across them
+        slices = carved(half_space((1.0, 1.0, 2.0)), (0, (0, 0, 0), (0, 0, 0), 7.5))
+        way, side = math.sqrt(8**2 + 2**2), math.sqrt(8**2 + 4**2) / math.sqrt(8**2 + 2**2)  # obliquely
+        oblique = 100 * ((way - 7.5) / side - 0.165 * side / 7.5)
+        for place, value in {(0, 0, -4): 25 - 16.5 * 2 / 7.5, (0, 8, -1): oblique}.items():
+            self.assertAlmostEqual(float(slices.voxels[tuple(20 + np.array(place[::-1]))]), value, 3, place)
 
     def test_the_wall_is_where_the_ball_was(self):
         ways = down(400)
