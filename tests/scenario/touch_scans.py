@@ -167,9 +167,9 @@ def cut(name, volume, args):
             "finite": verdict["nonfinite"] == 0 and report["nonfinite"] == 0,
             "contact": verdict["contact_share"] >= 0.20,
             "removed": verdict["lowered_voxels"] > 0 and verdict["removed_mm3"] > 0.0,
-            # the recording has all of a last cut of which the budget may have left a part undone
-            "volume": (abs(verdict["removed_mm3"] - report["cutting"]["removed_mm3"])
-                       < (1e-6 if is_wide else 0.1)),
+            # the recording has the whole of a last cut, which the usual budget may have left undone
+            "volume": (not is_wide
+                       or abs(verdict["removed_mm3"] - report["cutting"]["removed_mm3"]) < 1e-6),
             "as cut": verdict["left"]["as_cut"],
             "identical": digests == [hashlib.sha256(path.read_bytes()).digest() for path in (trace, left)],
         }
