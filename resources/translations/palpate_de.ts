@@ -8416,7 +8416,7 @@
     </message>
     <message>
         <source>&amp;Before and after</source>
-        <translation>Vorher und nachher</translation>
+        <translation>&amp;Vorher und nachher</translation>
     </message>
     <message>
         <source>The unedited scan beside what is left of it, seen from the same place</source>
