@@ -3653,10 +3653,6 @@
         <translation>Es wurde noch nichts geschnitten.</translation>
     </message>
     <message>
-        <source>Removed: %1 mm³. Strokes: %2, the last %3 mm³.</source>
-        <translation>Entfernt: %1 mm³. Züge: %2, der letzte %3 mm³.</translation>
-    </message>
-    <message>
         <source>Add a material</source>
         <translation>Material hinzufügen</translation>
     </message>
@@ -3723,6 +3719,22 @@
     <message>
         <source>The unedited scan beside what is left of it, seen from the same place</source>
         <translation>Die unbearbeitete Aufnahme neben dem, was von ihr übrig ist, von derselben Stelle gesehen</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Züge</translation>
+    </message>
+    <message>
+        <source>What each stroke has removed; Undo takes the first of the list back</source>
+        <translation>Was jeder Zug entfernt hat; Rückgängig nimmt den ersten der Liste zurück</translation>
+    </message>
+    <message>
+        <source>Removed: %1 mm³. Strokes: %2.</source>
+        <translation>Entfernt: %1 mm³. Züge: %2.</translation>
+    </message>
+    <message>
+        <source>Stroke %1: %2 mm³</source>
+        <translation>Zug %1: %2 mm³</translation>
     </message>
 </context>
 <context>

@@ -7,11 +7,14 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ui/controls/bindings.h"
 #include "ui/controls/hint_label.h"
@@ -23,6 +26,7 @@ namespace {
 constexpr double kForceStep = 0.1;  // N
 constexpr int kInRow = 4;           // burrs
 constexpr int kMostBands = 3;
+constexpr int kRows = 4;    // strokes in view
 constexpr int kLeast = 40;  // px: four stand in the narrowest panel
 
 /// So many that a hundredth of the range is told.
@@ -42,6 +46,7 @@ CutPanel::CutPanel(QWidget* parent)
       state_(hintLabel()),
       removed_(hintLabel()),
       tissues_(hintLabel()),
+      strokes_(new QListWidget),
       speed_(numberBox({.name = "burrSpeed",
                         .accessible = tr("Speed of the burr"),
                         .least = 1'000.0,
@@ -59,6 +64,10 @@ CutPanel::CutPanel(QWidget* parent)
   state_->setObjectName("cutState");
   removed_->setObjectName("cutRemoved");
   tissues_->setObjectName("cutTissues");
+  strokes_->setObjectName("cutStrokes");
+  strokes_->setAccessibleName(tr("Strokes"));
+  strokes_->setToolTip(tr("What each stroke has removed; Undo takes the first of the list back"));
+  strokes_->setSelectionMode(QAbstractItemView::NoSelection);
   speed_->setValue(BurrNumbers{}.speed_rpm);
   energy_->setValue(BurrNumbers{}.energy_J_mm3);
   burr_rows_->setSpacing(4);
@@ -100,6 +109,7 @@ CutPanel::CutPanel(QWidget* parent)
   column->addWidget(buildBands());
   column->addWidget(tissues_);
   column->addWidget(removed_);
+  column->addWidget(strokes_);
   column->addLayout(steps);
   column->addWidget(vibration_);
   column->addWidget(sound_);
@@ -253,12 +263,22 @@ void CutPanel::showState(State state, double force) {
 }
 
 void CutPanel::show(const CutTold& told) {
-  removed_->setText(told.strokes == 0 && told.all_mm3 == 0.0
-                        ? tr("Nothing was cut yet.")
-                        : tr("Removed: %1 mm³. Strokes: %2, the last %3 mm³.")
-                              .arg(shown(told.all_mm3))
-                              .arg(told.strokes)
-                              .arg(shown(told.last_mm3)));
+  const auto count = static_cast<int>(told.strokes_mm3.size());
+  removed_->setText(count == 0 ? tr("Nothing was cut yet.")
+                               : tr("Removed: %1 mm³. Strokes: %2.")
+                                     .arg(shown(std::accumulate(told.strokes_mm3.begin(),
+                                                                told.strokes_mm3.end(), 0.0)))
+                                     .arg(count));
+  // the newest first, as they are taken back
+  while (strokes_->count() > count) delete strokes_->takeItem(0);
+  while (strokes_->count() < count) strokes_->insertItem(0, QString{});
+  for (int n = 0; n < count; ++n)
+    strokes_->item(count - 1 - n)
+        ->setText(tr("Stroke %1: %2 mm³").arg(n + 1).arg(shown(told.strokes_mm3[n])));
+  strokes_->setVisible(count > 0);
+  if (count > 0)
+    strokes_->setFixedHeight(std::min(count, kRows) * strokes_->sizeHintForRow(0) +
+                             2 * strokes_->frameWidth());
 }
 
 void CutPanel::setSteps(bool undo, bool redo) {

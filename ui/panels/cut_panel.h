@@ -9,6 +9,7 @@ class QButtonGroup;
 class QCheckBox;
 class QGridLayout;
 class QLabel;
+class QListWidget;
 class QPushButton;
 class QVBoxLayout;
 
@@ -36,8 +37,7 @@ struct BurrNumbers {
 
 /// The volume that a burr has removed, by the strokes that are in force.
 struct CutTold {
-  int strokes = 0;
-  double all_mm3 = 0.0, last_mm3 = 0.0;
+  QList<double> strokes_mm3 = {};  ///< oldest first
 };
 
 /// The panel "Cut": chooses a burr, says whether it turns, and what it has removed.
@@ -95,6 +95,7 @@ class CutPanel : public QWidget {
   QButtonGroup* burrs_;
   QGridLayout* burr_rows_;
   QLabel *state_, *removed_, *tissues_;
+  QListWidget* strokes_;
   NumberBox *speed_, *energy_;
   QVBoxLayout* band_rows_ = nullptr;
   QPushButton* add_band_;

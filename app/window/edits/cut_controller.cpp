@@ -99,11 +99,8 @@ haptics::CutLaw CutController::lawOf(const resources::NamedTool& burr) const {
 void CutController::showScene(const std::vector<datasets::Edit>& edits) {
   told_ = {};
   for (const datasets::Edit& edit : edits)
-    if (const auto* stroke = std::get_if<datasets::Stroke>(&edit)) {
-      ++told_.strokes;
-      told_.last_mm3 = stroke->removed() * kMm3PerM3;
-      told_.all_mm3 += told_.last_mm3;
-    }
+    if (const auto* stroke = std::get_if<datasets::Stroke>(&edit))
+      told_.strokes_mm3.append(stroke->removed() * kMm3PerM3);
   showTissues();
   panel_->showTool(shared_.shown ? QString::fromStdString(shared_.shown->tool.name) : QString{});
   showRemoved();
@@ -278,11 +275,7 @@ void CutController::showState() {
 
 void CutController::showRemoved() {
   ui::CutTold told = told_;
-  if (removed_.volume > 0.0) {
-    ++told.strokes;
-    told.last_mm3 = removed_.volume * kMm3PerM3;
-    told.all_mm3 += told.last_mm3;
-  }
+  if (removed_.volume > 0.0) told.strokes_mm3.append(removed_.volume * kMm3PerM3);
   panel_->show(told);
 }
 

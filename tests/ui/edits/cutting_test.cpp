@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QListWidget>
 #include <QPointer>
 #include <QProcess>
 #include <QPushButton>
@@ -203,16 +204,22 @@ TEST_F(Cutting, IsTakenBackStrokeByStrokeOutOfContactAlone) {
   lift();
   settle();
   EXPECT_EQ(strokes(), 1U);
+  auto& list = child<QListWidget>("cutStrokes");
+  ASSERT_EQ(list.count(), 1);
+  EXPECT_EQ(list.item(0)->text(), QString("Stroke 1: %1 mm³").arg(removed_mm3(), 0, 'f', 1));
   window().views().setCross(at(3.0));
   expectTheSameEverywhere();
   ASSERT_TRUE(isReady());
   redo();
+  ASSERT_EQ(list.count(), 2);
+  EXPECT_TRUE(list.item(0)->text().startsWith("Stroke 2: "));
   EXPECT_EQ(strokes(), 2U);
   undo();
   undo();
   EXPECT_EQ(strokes(), 0U);
   EXPECT_EQ(application_->shown()->volume().get(), scan);
   EXPECT_EQ(child<QLabel>("cutRemoved").text(), "Nothing was cut yet.");
+  EXPECT_EQ(list.count(), 0);
   window().views().setCross(at(3.0));
   expectTheSameEverywhere();
   EXPECT_LT(window::differing(window::pictureAtRest(window().views().volume()), first), 0.002);
