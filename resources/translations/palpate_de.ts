@@ -8427,12 +8427,12 @@
         <translation>Kon&amp;takte und Kraft</translation>
     </message>
     <message>
-        <source>&amp;Before and after</source>
-        <translation>&amp;Vorher und nachher</translation>
-    </message>
-    <message>
         <source>The unedited scan beside what is left of it, seen from the same place</source>
         <translation>Die unbearbeitete Aufnahme neben dem, was von ihr übrig ist, von derselben Stelle gesehen</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
     </message>
 </context>
 <context>

@@ -460,14 +460,15 @@ def is_a_drilling_recording(folder):
         # by the first cut whose ball reached it, the ball's edge as haptics/carving tells; whole numbers blur it
         begin = numpy.array([[cut["from_" + a] for a in AXES] for cut in cuts])
         way = numpy.array([[cut["to_" + a] for a in AXES] for cut in cuts]) - begin
-        edge, blur = cuts[0]["radius"] + 0.165e-6 / cuts[0]["radius"], 1e-6
+        edge, blur = cuts[0]["radius"] + 0.165e-6 / cuts[0]["radius"], 3e-6
         wrong = 0
         for row, *voxel in removed:
             offset = origin + 1e-3 * numpy.array(voxel) - begin
             along = numpy.clip((offset * way).sum(1) / numpy.maximum((way * way).sum(1), 1e-30), 0, 1)
             distance = numpy.linalg.norm(offset - along[:, None] * way, axis=1)
-            first, surely = (times[cuts[numpy.argmax(distance < edge + b)]["sequence"]] for b in (blur, -blur))
-            wrong += not ((distance < edge - blur).any() and first <= stamps[int(row)] <= surely)
+            reached, surely = (numpy.flatnonzero(distance < edge + b) for b in (blur, -blur))
+            wrong += not (len(reached) and times[cuts[reached[0]]["sequence"]] <= stamps[int(row)] and
+                          (not len(surely) or stamps[int(row)] <= times[cuts[surely[0]]["sequence"]]))
         check(wrong == 0, f"{wrong} voxels have another time than their first cut")
 
         # a part: the same voxels at the same times, whatever the rate

@@ -448,8 +448,17 @@ call("report", drilled, "--phantom", "mastoid", "--labels", sleeves, "--out", FO
 said = json.loads((FOLDER / "drilled.json").read_text())["sessions"][0]
 before, after = values_of(bone), values_of(left)
 slope = (300 - before.min()) / 3.0  # of the wall's profile
-at_wall = 0.5 + (0.165 + 1 / 12) * VOXEL / (2e-3 + 0.05 * VOXEL)  # of a ball of this radius
-part = lambda values: np.clip(at_wall + (values - 300) / slope, 0.0, 1.0)
+# of a ball of this radius, straight within 3/16 of a voxel and rounded over 5/8 beyond
+at_wall = (0.165 + (1 + 0.625**2) / 12) * VOXEL / (2e-3 + 0.05 * VOXEL)
+
+
+def part(values):
+    depth = at_wall + (values - 300) / slope
+    size = np.minimum(np.abs(depth), 0.8125)
+    beyond = np.maximum(size - 0.1875, 0.0)
+    return 0.5 + np.sign(depth) * (size - beyond**2 / 1.25)
+
+
 gone = (part(before) - part(after)) * (VOXEL * 1e3) ** 3
 bare = (before >= 300) & (after < 300)
 exposed = 0.0

@@ -16,7 +16,6 @@
 #include <vtkVolumeTexture.h>
 
 #include <algorithm>
-#include <iterator>
 
 namespace ui {
 namespace {
@@ -39,7 +38,6 @@ bool isCut(vec3 place)
       && texture3D(cutScan, there).r > cutAbove;
 }
 )";
-const char* const CutTint::kIsCut = "isCut(g_dataPos)";
 
 CutTint::CutTint() : texture_(vtkSmartPointer<vtkTextureObject>::New()) {}
 CutTint::~CutTint() = default;
@@ -57,6 +55,7 @@ void CutTint::show(const haptics::Volume& scan, const haptics::VoxelBox& box) {
   const auto& dims = scan.grid.dims;
   for (std::size_t a = 0; a < 3; ++a) {
     size_[a] = static_cast<unsigned>(box.end[a] - box.first[a]);
+    if (a == 0) size_[a] += size_[a] % 2;  // OpenGL's rows begin every four bytes
     first_[a] = static_cast<float>(static_cast<double>(box.first[a]) / double(dims[a]));
     scale_[a] = static_cast<float>(static_cast<double>(dims[a]) / size_[a]);
   }
@@ -67,11 +66,11 @@ void CutTint::show(const haptics::Volume& scan, const haptics::VoxelBox& box) {
     for (std::int64_t k = box.first[2]; k < box.end[2]; ++k)
       for (std::int64_t j = box.first[1]; j < box.end[1]; ++j) {
         const auto* row = voxels + (k * dims[1] + j) * dims[0];
-        std::transform(row + box.first[0], row + box.end[0], std::back_inserter(texels_),
-                       [&](auto value) {
-                         const double part = (static_cast<double>(value) - least_) * per_value;
-                         return static_cast<std::uint16_t>(std::clamp(part, 0.0, kMost) + 0.5);
-                       });
+        for (unsigned n = 0; n < size_[0]; ++n) {
+          const auto i = std::min(box.first[0] + std::int64_t{n}, dims[0] - 1);
+          const double part = (static_cast<double>(row[i]) - least_) * per_value;
+          texels_.push_back(static_cast<std::uint16_t>(std::clamp(part, 0.0, kMost) + 0.5));
+        }
       }
   });
   is_new_ = true;

@@ -23,10 +23,8 @@ class CutTint : public vtkOpenGLRenderPass {
   static CutTint* New();
   vtkTypeMacro(CutTint, vtkOpenGLRenderPass)
 
-      /// What the shader declares, and the test by which it knows a place that was cut: a GLSL
-      /// expression of g_dataPos.
+      /// What the shader declares: bool isCut(vec3), of a texture coordinate of the volume.
       static const char* const kDeclared;
-  static const char* const kIsCut;
 
   /// Colours this volume, which has its mapper.
   void attachTo(vtkVolume& volume);

@@ -97,7 +97,7 @@ void ViewActions::buildColours(QMenu& menu) {
         [this] { return std::optional{view_.surface().isovalue()}; });
   markSecond();
   connect(&view_, &VolumeView::secondSurfaceChanged, this, &ViewActions::markSecond);
-  before_after_ = menu.addAction(tr("&Before and after"));
+  before_after_ = menu.addAction(tr("Before and after"));
   before_after_->setObjectName("beforeAfter");
   before_after_->setCheckable(true);
   giveKeys(*before_after_, Action::BeforeAfter,

@@ -211,13 +211,17 @@ TEST_F(Editing, TheUneditedScanStandsBesideWhatIsLeftInEveryModeAndUntilAnotherS
     EXPECT_EQ(before.size(), after.size());
     expectBoth(name + "_column");
     child<QAction>("volume_large").trigger();
+    ASSERT_TRUE(waitFor([&] { return before.geometry().bottom() >= after.geometry().top(); }));
     const QSize large = window().size();
     const QSize least = window().minimumSizeHint();
-    window().resize(least);
-    ASSERT_TRUE(waitFor([&] { return window().size() == least; }));
+    const auto resize = [&](const QSize& size) {
+      const QSize was = before.size();
+      window().resize(size);
+      return waitFor([&] { return before.size() != was && before.size() == after.size(); });
+    };
+    ASSERT_TRUE(resize(least));
     expectBoth(name + "_narrow");
-    window().resize(large);
-    ASSERT_TRUE(waitFor([&] { return window().size() == large; }));
+    ASSERT_TRUE(resize(large));
   }
   // as small as the two can be, without a cube
   after.parentWidget()->resize(after.parentWidget()->minimumSizeHint());

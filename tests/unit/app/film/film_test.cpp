@@ -188,14 +188,10 @@ TEST_F(Film, ShowsWhatWasCutUntilEachFrame) {
       if (n >= 550) fewest = std::min(fewest, changed);
     }
     EXPECT_GT(fewest, 100);
-    // in the window's colour where that has it: of a mesh
+    // in the window's colour
     const auto coral = [](Colour c) { return c.r > c.g + 45 && c.r > c.b + 45 && c.r > 100; };
     EXPECT_LT(b.count(9, coral), 30);
-    if (mode == ui::SurfaceMode::Mesh) {
-      EXPECT_GT(b.count(29, coral), 300);
-    } else {
-      EXPECT_LT(b.count(29, coral), 30);
-    }
+    EXPECT_GT(b.count(29, coral), 300);
   }
 }
 
