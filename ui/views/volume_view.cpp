@@ -171,6 +171,8 @@ void VolumeView::showLive(const haptics::Volume& voxels,
 
 void VolumeView::carve(const haptics::VoxelBox& box) {
   surface_.carved().add(box);
+  // without a graphics card the whole mesh is slow: a light one will do beside the bricks
+  if (graphics() && graphics()->software()) return showMoved();
   redrawSurface();
 }
 

@@ -17,6 +17,7 @@
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTableWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
@@ -73,11 +74,15 @@ TEST_F(Cutting, IsSeenWhileItIsDoneAndIsThereForEyeAndHandAfterwards) {
   const QImage uncut = window::pictureAtRest(view);
   EXPECT_LT(window::count(uncut, turningColoured), 5);
   EXPECT_LT(window::count(uncut, cutColoured), 5);
+  auto& still = *view.findChild<QTimer*>("still");
+  still.setInterval(3'600'000);
+  ASSERT_TRUE(view.isAtRest());
   holdKey(true);
   ASSERT_TRUE(waitFor([&] { return removed_mm3() > 25.0; })) << state().toStdString();
   // no edit yet, and the views show it
   EXPECT_EQ(strokes(), 0U);
   EXPECT_EQ(application_->editing().edits().size(), 0U);
+  EXPECT_FALSE(view.isAtRest());  // as it is drawn in motion: without a graphics card
   // a window that is slow lets the burr rest now and then
   EXPECT_TRUE(waitFor([&] { return window::count(view.grabFramebuffer(), turningColoured) > 50; }));
   window().views().setCross(inside);
