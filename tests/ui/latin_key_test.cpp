@@ -160,6 +160,10 @@ TEST(Bindings, AHeldKeyIsLetGoThoughTheLayoutHasChanged) {
   EXPECT_FALSE(force.back().at(0).toBool());
   send(view, QEvent::KeyPress, U'J', kPlaceH);
   EXPECT_EQ(to_cross.count(), 1);
+  // a key that repeats itself begins nothing: a question may have come between
+  force.clear();
+  send(view, QEvent::KeyPress, U'H', kPlaceH, {}, true);
+  EXPECT_EQ(force.count(), 0);
 }
 
 TEST(Bindings, ShortcutsAndMenusTakeLettersOfAnyScriptAndFieldsWriteThem) {

@@ -386,10 +386,12 @@ void VolumeView::keyPressEvent(QKeyEvent* event) {
   // the layout may have changed since it was pressed
   const bool still_held = event->isAutoRepeat() && event->nativeScanCode() != 0 &&
                           std::ranges::count(held_places_, event->nativeScanCode()) > 0;
-  if (held != nullptr)
-    hold(held->action, true, event->nativeScanCode());
-  else if (!still_held && (meaning == nullptr || !perform(*meaning)))
+  if (held != nullptr) {
+    // a key that repeats itself is held already, or was let go by what came between
+    if (!event->isAutoRepeat()) hold(held->action, true, event->nativeScanCode());
+  } else if (!still_held && (meaning == nullptr || !perform(*meaning))) {
     Viewport::keyPressEvent(event);
+  }
 }
 
 void VolumeView::keyReleaseEvent(QKeyEvent* event) {

@@ -65,8 +65,7 @@ CutController::CutController(ui::MainWindow& window, SharedState& shared)
   panel_->setSoundPossible(BurrPlayer::isPossible());
   connect(panel_, &Panel::soundChosen, this, [this](bool on) { sound_.setOn(on); });
   connect(&window.views().volume(), &ui::VolumeView::cutHeld, this, [this](bool held) {
-    let_go_ = let_go_ && held;  // a key that is down repeats itself
-    key_ = held && !let_go_;
+    key_ = held;
     shared_.session.holdCut(key_ && !replaying_);
   });
   showState();
@@ -118,8 +117,7 @@ void CutController::showScene(const std::vector<datasets::Edit>& edits) {
 void CutController::rest(bool on) {
   shared_.session.restCut(on);
   if (!on) return;
-  let_go_ = let_go_ || key_;
-  key_ = false;
+  key_ = false;  // until it is pressed anew
   shared_.session.holdCut(false);
 }
 

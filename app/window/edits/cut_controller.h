@@ -96,8 +96,7 @@ class CutController : public QObject {
   QString law_;                     ///< of what cuts; empty: nothing does
   std::optional<CarvedCopy> live_;  ///< for the eye; none: not yet, or nothing cuts
   bool cut_ = false;                ///< something was cut in the scene
-  bool key_ = false;                ///< of the burr is down
-  bool let_go_ = false;             ///< it is down, and does not count
+  bool key_ = false;                ///< of the burr is held
   bool replaying_ = false;
   std::vector<haptics::BurrCut> stroke_;  ///< under way
   haptics::Removed removed_;              ///< by it

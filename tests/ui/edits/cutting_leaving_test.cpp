@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Strokes that are in no file are asked about before they are lost.
 #include <QApplication>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QSignalSpy>
 #include <QTimer>
@@ -15,6 +16,7 @@
 #include "tests/ui/answers.h"
 #include "tests/ui/edits/cutting.h"
 #include "tests/ui/views/sphere_in_hand.h"
+#include "ui/views/volume_view.h"
 #include "ui/window/views.h"
 
 namespace {
@@ -93,6 +95,12 @@ TEST_F(Cutting, ThatIsInNoFileIsAskedAboutBeforeAnotherScanTakesItsPlace) {
   ASSERT_TRUE(waitFor([&] { return strokes() == 1; }));
   settle();
   EXPECT_FALSE(isThere(at(1.0)));
+  // the key is down all the while
+  QKeyEvent again(QEvent::KeyPress, Qt::Key_X, Qt::NoModifier, "x", true);
+  window().views().volume().setFocus();
+  QApplication::sendEvent(&window().views().volume(), &again);
+  window::afterTicks(*application_, 300);
+  EXPECT_FALSE(application_->snapshot().cuts);
   holdKey(false);
   expectQuestion("Cancel");  // ended
   settle();
