@@ -52,8 +52,10 @@ haptics::Expected<haptics::CutLaw> lawFrom(const std::string& words) {
   if (!said.is_object()) return damaged();
   haptics::CutLaw law;
   const auto radius = numberIn(said, "radius", 1e-6, haptics::kLargestBurr),
-             speed = numberIn(said, "speed", 0.0, 1e6), share = numberIn(said, "share", 0.0, 10.0);
-  if (!radius || !speed || !share || !said.contains("centre") || !said.contains("material"))
+             speed = numberIn(said, "speed", 0.0, 1e6), share = numberIn(said, "share", 0.0, 10.0),
+             vibration = numberIn(said, "vibration", 0.0, 1.0);
+  if (!radius || !speed || !share || !vibration || !said.contains("centre") ||
+      !said.contains("material"))
     return damaged();
   const ordered_json &centre = said["centre"], &bands = said["material"];
   if (!centre.is_array() || centre.size() != 3 || !bands.is_array() || bands.empty() ||
@@ -67,12 +69,7 @@ haptics::Expected<haptics::CutLaw> lawFrom(const std::string& words) {
   law.burr.radius = *radius;
   law.speed = *speed;
   law.share = *share;
-  // recordings of before it was known do not say it
-  if (said.contains("vibration")) {
-    const auto vibration = numberIn(said, "vibration", 0.0, 1.0);
-    if (!vibration) return damaged();
-    law.vibration = *vibration;
-  }
+  law.vibration = *vibration;
   law.material.count = bands.size();
   for (std::size_t n = 0; n < bands.size(); ++n) {
     if (!bands[n].is_object()) return damaged();

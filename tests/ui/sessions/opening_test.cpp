@@ -361,7 +361,8 @@ TEST_F(Opening, TheSeriesOfAViewIsTakenWithoutAQuestion) {
   choose(4, saved[0]);
   answerNext("largest unbroken part");
   choose(5, saved[1]);
-  for (const auto& [view, slices] : {std::pair{saved[0], 4}, {saved[1], 5}}) {
+  for (const int slices : {4, 5}) {
+    const auto& view = saved[slices - 4];
     if (slices == 5) answerNext("largest unbroken part");
     open(view.toStdString());
     EXPECT_TRUE(waitFor([&] { return dims()[2] == slices || browser() != nullptr; }));

@@ -38,6 +38,7 @@ haptics::CutLaw anyLaw() {
   haptics::CutLaw law;
   law.burr = {{1e-6, -2e-6, -0.0319}, 2e-3};
   law.speed = 6283.185307179586;
+  law.vibration = 0.125;
   law.material.count = 2;
   law.material.bands[0] = {-1024.0, 2e8};
   law.material.bands[1] = {700.0, 1e9};
@@ -153,6 +154,7 @@ TEST(RecordedCuts, HaveALawThatIsReadAsItWasWritten) {
   EXPECT_EQ(read->burr.radius, law.burr.radius);
   EXPECT_EQ(read->speed, law.speed);
   EXPECT_EQ(read->share, law.share);
+  EXPECT_EQ(read->vibration, law.vibration);
   EXPECT_EQ(read->material.count, 2U);
   EXPECT_EQ(read->material, law.material);
   const std::string words = app::wordsOf(law);
@@ -167,6 +169,7 @@ TEST(RecordedCuts, HaveALawThatIsReadAsItWasWritten) {
   EXPECT_FALSE(with("0.002", "-0.002"));
   EXPECT_FALSE(with("0.002", "\"2\""));
   EXPECT_FALSE(with("\"share\"", "\"chare\""));
+  EXPECT_FALSE(with("\"vibration\"", "\"vibrato\""));
   EXPECT_FALSE(with("-0.0319", "null"));
   EXPECT_FALSE(with("[{", "[[[[[[{"));
   EXPECT_FALSE(app::lawFrom("").has_value());
