@@ -228,6 +228,7 @@ void VolumeProp::renew(const Picture& picture) {
   picture_ = picture;
   reduced_ = {};
   second_reduced_ = {};
+  fine_is_old_ = true;
 }
 
 void VolumeProp::crop() {
@@ -311,7 +312,9 @@ void VolumeProp::setBudget(std::optional<std::int64_t> triangles) {
 }
 
 void VolumeProp::showFine(vtkPolyData* mesh, double isovalue) {
-  if (isovalue == isovalue_) fine_mesh_ = mesh;
+  if (isovalue != isovalue_) return;
+  fine_mesh_ = mesh;
+  fine_is_old_ = false;
 }
 
 void VolumeProp::setHitRefinement(bool on) {

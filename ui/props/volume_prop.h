@@ -60,6 +60,8 @@ class VolumeProp {
   void setBudget(std::optional<std::int64_t> triangles);
   /// Shows a mesh of L in full detail. Ignored if the isovalue has changed meanwhile.
   void showFine(vtkPolyData* mesh, double isovalue);
+  /// Whether it is there, of the picture and the isovalue.
+  bool hasFine() const { return fine_mesh_ != nullptr && !fine_is_old_; }
   /// Shows these voxels, which are those of the picture's volume and change from now on, as
   /// carved() is told. `scan`: what they were before any cut; boxes that hold what is cut already.
   /// Until the next show() or replace().
@@ -105,6 +107,7 @@ class VolumeProp {
   vtkSmartPointer<vtkPolyDataMapper> mesh_mapper_;
   Reduced reduced_;
   vtkSmartPointer<vtkPolyData> fine_mesh_;
+  bool fine_is_old_ = false;  ///< it is of the picture before
   vtkSmartPointer<vtkActor> second_;
   vtkSmartPointer<vtkPolyDataMapper> second_mapper_;
   Reduced second_reduced_;

@@ -323,7 +323,7 @@ void VolumeView::settle() {
   surface_.setMoving(false);
   redrawSurface();
   fine_awaited_ = false;
-  if (surface_.mode() != SurfaceMode::Mesh || box_mm_.isEmpty()) return;
+  if (surface_.mode() != SurfaceMode::Mesh || box_mm_.isEmpty() || surface_.hasFine()) return;
   fine_awaited_ = isSignalConnected(QMetaMethod::fromSignal(&VolumeView::fineMeshWanted));
   emit fineMeshWanted(isovalue_);
 }

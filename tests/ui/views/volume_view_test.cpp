@@ -147,6 +147,33 @@ TEST(VolumeView, PutsLOnTheSideOfTheLeftMarkerWhicheverWayTheVoxelsLie) {
     }
 }
 
+TEST(VolumeView, WantsOneFineMeshOfEachPictureAndIsovalue) {
+  const ui::Picture picture = ballPicture({0.003, 0.0, -0.002}, 0.020);
+  ui::VolumeView view;
+  int wanted = 0;
+  QObject::connect(&view, &ui::VolumeView::fineMeshWanted, &view, [&](double isovalue) {
+    ++wanted;
+    view.showFine(ui::isosurfaceMesh(picture.image, isovalue, picture.mirrored()), isovalue);
+  });
+  view.setSurfaceWish(SurfaceMode::Mesh);
+  window::showAndWait(view, {300, 300});
+  view.show(picture, 50.0);
+  window::rest(view);
+  EXPECT_EQ(wanted, 1);
+  view.lookFrom(ui::Side::Left);
+  window::rest(view);
+  EXPECT_EQ(wanted, 1);
+  view.setIsovalue(60.0);
+  window::rest(view);
+  EXPECT_EQ(wanted, 2);
+  view.renew(picture);  // the old one is shown until this one's is there
+  window::rest(view);
+  EXPECT_EQ(wanted, 3);
+  view.replace(picture);
+  window::rest(view);
+  EXPECT_EQ(wanted, 4);
+}
+
 TEST(VolumeView, CastsTheSameSilhouetteAsTheMeshAndRefinesTheHit) {
   const ui::Picture picture = ballPicture({0.003, 0.0, -0.002}, 0.020);
   QImage shown[2];
