@@ -141,10 +141,12 @@ void CutController::showTissues() {
 
 void CutController::prepare() {
   maker_.abandon();
-  live_.reset();
-  law_.clear();
-  cut_ = false;
-  scene_ = shared_.shown->scene->id;
+  if (shared_.shown->scene->id != scene_) {
+    live_.reset();
+    law_.clear();
+    cut_ = false;
+    scene_ = shared_.shown->scene->id;
+  }
   const resources::NamedTool* tool = burr();
   if (tool == nullptr) {
     callWaiting();
@@ -172,7 +174,9 @@ void CutController::deliver(std::uint64_t scene, haptics::Expected<Made> made) {
       window_.messages().showMessage(sentenceOf(made.error()));
     return callWaiting();
   }
-  takeCuts();  // of the scene before: they are gone with it
+  takeCuts();
+  // the law before may cut until now: what was cut is kept, and the new law begins with a scene
+  if (live_ && (cut_ || shared_.snapshot.cuts)) return emit freshWanted();
   live_ = std::move(made->live);
   law_ = QString::fromStdString(wordsOf(made->cutting->law()));
   tellLaw();

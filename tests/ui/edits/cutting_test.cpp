@@ -17,6 +17,7 @@
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTableWidget>
+#include <QThread>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -232,6 +233,30 @@ TEST_F(Cutting, IsTakenBackStrokeByStrokeOutOfContactAlone) {
   ASSERT_TRUE(isReady());
   cut(3.0, 4.0);
   EXPECT_EQ(strokes(), 1U);
+}
+
+TEST_F(Cutting, KeepsWhatWasCutWhileAnotherLawIsPrepared) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  const std::uint64_t scene = application_->snapshot().scene;
+  lift();
+  pullTip(at(5.0));
+  window::afterTicks(*application_, 100);
+  child<QCheckBox>("cutVibration").click();
+  // the window is busy: it neither delivers the law nor sees the cuts
+  for (int n = 0; n < 10; ++n) {
+    application_->session().holdCut(true);
+    QThread::msleep(50);
+  }
+  application_->session().holdCut(false);
+  ASSERT_TRUE(waitFor([&] { return strokes() == 1; })) << state().toStdString();
+  EXPECT_GT(removed_mm3(), 1.0);
+  lift();
+  settle();
+  EXPECT_NE(application_->snapshot().scene, scene);
+  window().views().setCross(at(1.0));
+  expectTheSameEverywhere();
+  EXPECT_TRUE(isReady());
 }
 
 TEST_F(Cutting, ATextureGetsNoOtherVoxelsThanThoseThatWereCut) {
