@@ -225,10 +225,10 @@ struct MillingMouse {
   /// Goes on until it is so, at display rate, and takes the cuts. A busy machine's loop is at
   /// fault: it is armed again, and cuts once the key was let go.
   bool until(const std::function<bool()>& holds, bool key) {
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < 12'000; ++n) {
       session.collectGarbage();
       session.arm();
-      session.holdCut(key && n % 100 != 99);
+      session.holdCut(key && (snapshot.cuts || n % 10 != 9));
       session.latest(snapshot);
       std::array<haptics::BurrCut, 64> some;
       while (const std::size_t count = session.cuts(some))

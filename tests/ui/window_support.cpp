@@ -99,6 +99,12 @@ QImage pictureOf(QWidget& widget) {
   return unscaled(widget.grab().toImage(), widget.size());
 }
 
+void showCamera(ui::VolumeView& view) {
+  ui::ViewLook look;
+  view.tell(look);
+  view.look(look);
+}
+
 void rest(ui::VolumeView& view) {
   QTest::qWait(10);
   auto& still = *view.findChild<QTimer*>("still");

@@ -48,6 +48,8 @@ void showAndWait(QWidget& widget, QSize size);
 /// Waits until nothing more is drawn, and takes the widget's picture: a pixel for each of the
 /// widget's, whatever the scale of the screen.
 QImage pictureOf(QWidget& widget);
+/// Draws a view anew whose vtkCamera was moved: the view does not notice that by itself.
+void showCamera(ui::VolumeView& view);
 /// Makes the view's time of rest pass, and waits for what is drawn at rest: the finer mesh of a 3-D
 /// view, the fine contour of a slice.
 void rest(ui::VolumeView& view);

@@ -33,11 +33,13 @@ void Cutting::openWithBurr() {
   ASSERT_TRUE(waitFor([&] { return application_->shown()->tool.name == "burr-4"; }));
   ASSERT_TRUE(isReady()) << state().toStdString();
   // the tool stands straight on the plate: seen aslant, it hides nothing
-  window().views().volume().camera()->Azimuth(50.0);
-  window().views().volume().camera()->Elevation(25.0);
+  ui::VolumeView& view = window().views().volume();
+  view.camera()->Azimuth(50.0);
+  view.camera()->Elevation(25.0);
+  showCamera(view);
   EXPECT_TRUE(child("cut_burr-4").isChecked());
   EXPECT_FALSE(child("cut_burr-6").isChecked());
-  EXPECT_TRUE(window().views().volume().hint().startsWith("Hold X: cuts. "));
+  EXPECT_TRUE(view.hint().startsWith("Hold X: cuts. "));
 }
 
 void Cutting::pullTip(const Vector3d& p_mm) {

@@ -196,9 +196,7 @@ TEST_F(Editing, HandlesOfTheCropBoxAreWholeAndCanBeTakenAtTheBorderOfAView) {
   ui::VolumeView& view = window().views().volume();
   view.setParallel(true);
   view.camera()->SetParallelScale(24.0);
-  ui::ViewLook look;
-  view.tell(look);
-  view.look(look);
+  window::showCamera(view);
   window::pictureAtRest(view);
   const QImage image = view.picture(1);
   window::keep(image, "edit_crop_border_space");

@@ -438,9 +438,7 @@ TEST(ViewPicture, InMotionShowsWhatItShowsAtRest) {
     for (const double azimuth : {35.0, 60.0, 170.0}) {
       SCOPED_TRACE(azimuth);
       view.camera()->Azimuth(azimuth);
-      ui::ViewLook look;
-      view.tell(look);
-      view.look(look);  // the camera moved
+      window::showCamera(view);
       const QImage moving = view.grabFramebuffer().convertToFormat(QImage::Format_RGB32);
       EXPECT_LT(triangles(), whole / 2);
       EXPECT_TRUE(culls());
@@ -459,9 +457,7 @@ TEST(ViewPicture, InMotionShowsWhatItShowsAtRest) {
     // an eye within the box sees faces from behind
     view.camera()->SetPosition(-8.0, 0.0, 0.0);
     view.camera()->SetFocalPoint(-8.0, 40.0, 0.0);
-    ui::ViewLook look;
-    view.tell(look);
-    view.look(look);
+    window::showCamera(view);
     view.grabFramebuffer();
     EXPECT_FALSE(culls());
   }
