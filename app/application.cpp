@@ -402,6 +402,7 @@ void Application::Parts::wireTouch() {
   using Cut = CutController;
   connect(&cut, &Cut::toolWanted, &tool,
           [this](const QString& name) { tool.changeTool({.name = name.toStdString()}); });
+  edit.setCutting([this] { return cut.isCutting(); });
   connect(&cut, &Cut::strokeMade, &edit, &EditController::addStroke);
   connect(&cut, &Cut::freshWanted, &edit, &EditController::renew);
   connect(&edit, &EditController::failed, &cut, &Cut::forgetWaiting);
@@ -462,8 +463,8 @@ void Application::Parts::wireViews() {
   connect(&picture, &PictureController::refreshing, this, [this] {
     recording.refresh();
     device.refresh();
-    edit.refresh();
     cut.refresh();
+    edit.refresh();
     marks.refresh();
     structures.refresh();
     // not here: it may ask

@@ -137,7 +137,9 @@ class Session::Loop {
     }
     servo->recording.store(ring.get());
     servo->watch.store(watch.get());
+    servo->cut_until = cut_until;
     servo->cut_rests = cut_rests;
+    rested_at = 0;
     try {
       servo->start();
     } catch (const std::system_error&) {
@@ -150,9 +152,11 @@ class Session::Loop {
   void keep(std::unique_ptr<Cutting> kept) {
     if (kept && scene && kept->scene()->id == scene->id) cutting = std::move(kept);
   }
-  bool armed = true;          ///< the user's word, through every hand and scene
-  bool cut_rests = false;     ///< restCut(), through every hand
-  std::uint64_t left_at = 0;  ///< the boundary behind which they do no more
+  bool armed = true;            ///< the user's word, through every hand and scene
+  std::int64_t cut_until = 0;   ///< holdCut(), through every hand
+  bool cut_rests = false;       ///< restCut(), through every hand
+  std::uint64_t rested_at = 0;  ///< the boundary behind which no cut is begun
+  std::uint64_t left_at = 0;    ///< the boundary behind which they do no more
   std::uint64_t unwatched_at = 0;
 };
 
@@ -255,12 +259,19 @@ void Session::cut(std::unique_ptr<Cutting> cutting) {
 
 void Session::holdCut(bool down) {
   constexpr std::int64_t kKeyCounts = 250'000'000;  // ns
-  if (loop_->servo) loop_->servo->cut_until.store(down ? Watchdog::clock() + kKeyCounts : 0);
+  loop_->cut_until = down ? Watchdog::clock() + kKeyCounts : 0;
+  if (loop_->servo) loop_->servo->cut_until = loop_->cut_until;
 }
 
 void Session::restCut(bool rests) {
   loop_->cut_rests = rests;
-  if (loop_->servo) loop_->servo->cut_rests = rests;
+  if (!loop_->servo) return;
+  loop_->servo->cut_rests = rests;
+  loop_->rested_at = loop_->servo->boundary.load() + 2;
+}
+
+bool Session::cutRests() const {
+  return loop_->cut_rests && (!loop_->servo || loop_->servo->boundary.load() >= loop_->rested_at);
 }
 
 std::size_t Session::cuts(std::span<BurrCut> cuts) {

@@ -78,6 +78,8 @@ class Session {
   /// The burr rests, in every hand, whatever key or button is held. Afterwards that must be
   /// released before it turns again.
   void restCut(bool rests);
+  /// Whether it has taken effect: no cut is begun any more that cuts() did not tell.
+  bool cutRests() const;
   /// Moves cuts that were begun, oldest first, into `cuts`; returns how many.
   std::size_t cuts(std::span<BurrCut> cuts);
   /// The present scene with the cuts that were made in it, and so with its id: what is opened or

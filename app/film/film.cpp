@@ -262,8 +262,8 @@ class Drawing {
     if (on_view_ == nullptr) return {};
     const auto moved = cuts_.moveTo(on_view_, step.scene, step.sequence);
     if (!moved) return tl::unexpected(moved.error());
-    if (moved->anew) stage_.showLive(cuts_.volume());
-    if (!haptics::isEmpty(moved->changed)) stage_.carve(moved->changed);
+    if (cuts_.isCarved() && moved->anew) stage_.showLive(cuts_.volume());
+    for (const haptics::VoxelBox& box : moved->changed) stage_.carve(box);
     return {};
   }
 

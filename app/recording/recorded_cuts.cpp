@@ -40,7 +40,11 @@ haptics::Expected<CutsUntil::Moved> CutsUntil::moveTo(
     const std::shared_ptr<const haptics::Volume>& uncut, std::uint32_t scene,
     std::uint64_t sequence, std::size_t most) {
   Moved moved;
-  if (std::ranges::find(cuts_, scene, &RecordedCut::scene) == cuts_.end()) return moved;
+  if (std::ranges::find(cuts_, scene, &RecordedCut::scene) == cuts_.end()) {
+    moved.anew = isCarved();
+    forget();
+    return moved;
+  }
   const auto isCutAlready = [&](std::size_t n) {
     return n > 0 && cuts_[n - 1].scene == scene && cuts_[n - 1].sequence > sequence;
   };
@@ -57,7 +61,7 @@ haptics::Expected<CutsUntil::Moved> CutsUntil::moveTo(
     }
     const auto done = live_->copy.carve(cuts_[live_->next].cut);
     if (!done) return tl::unexpected(done.error());
-    moved.changed = haptics::joined(moved.changed, done->box);
+    haptics::add(done->box, moved.changed);
   }
   return moved;
 }

@@ -37,14 +37,14 @@ class CutsUntil {
   bool isCarved() const { return live_.has_value(); }
 
   struct Moved {
-    bool anew = false;          ///< volume() has other voxels than before
-    haptics::VoxelBox changed;  ///< that holds all voxels that were lowered; empty: there are none
-    bool whole = true;          ///< nothing is left to cut until the step
+    bool anew = false;  ///< volume() has other voxels than before, or is no more
+    std::vector<haptics::VoxelBox> changed;  ///< hold all voxels that were lowered
+    bool whole = true;                       ///< nothing is left to cut until the step
   };
   static constexpr std::size_t kAll = SIZE_MAX;
   /// Carries out what was cut of a scene until a step, over the scene's volume, with `most` cuts at
   /// most: the same call again goes on. Back in time, in another scene and over another volume
-  /// everything is cut anew. In a scene without cuts nothing is done.
+  /// everything is cut anew. In a scene without cuts nothing isCarved().
   haptics::Expected<Moved> moveTo(const std::shared_ptr<const haptics::Volume>& uncut,
                                   std::uint32_t scene, std::uint64_t sequence,
                                   std::size_t most = kAll);

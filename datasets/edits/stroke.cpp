@@ -48,8 +48,6 @@ class ReachedRows {
   std::int64_t across_;
 };
 
-constexpr std::int64_t kLongestBox = 64;  // voxels: a longer way has more than one
-
 }  // namespace
 
 std::vector<haptics::VoxelBox> boxesOfStrokes(const haptics::Volume& volume) {
@@ -59,17 +57,8 @@ std::vector<haptics::VoxelBox> boxesOfStrokes(const haptics::Volume& volume) {
   for (const Edit& edit : edited->edits) {
     const auto* stroke = std::get_if<Stroke>(&edit);
     if (stroke == nullptr) continue;
-    haptics::VoxelBox box;
-    for (const haptics::BurrCut& cut : stroke->cuts()) {
-      const haptics::VoxelBox one = haptics::BurrCarving{volume, cut}.box();
-      const haptics::VoxelBox both = haptics::joined(box, one);
-      bool is_long = false;
-      for (std::size_t a = 0; a < 3; ++a)
-        is_long = is_long || both.end[a] - both.first[a] > kLongestBox;
-      if (is_long && !haptics::isEmpty(box)) boxes.push_back(box);
-      box = is_long ? one : both;
-    }
-    if (!haptics::isEmpty(box)) boxes.push_back(box);
+    for (const haptics::BurrCut& cut : stroke->cuts())
+      haptics::add(haptics::BurrCarving{volume, cut}.box(), boxes);
   }
   return boxes;
 }

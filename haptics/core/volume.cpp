@@ -197,4 +197,16 @@ VoxelBox joined(const VoxelBox& one, const VoxelBox& other) {
   return both;
 }
 
+void add(const VoxelBox& box, std::vector<VoxelBox>& way) {
+  if (isEmpty(box)) return;
+  constexpr std::int64_t kLongest = 64;  // voxels
+  const VoxelBox both = way.empty() ? box : joined(way.back(), box);
+  bool is_long = way.empty();
+  for (std::size_t a = 0; a < 3; ++a) is_long = is_long || both.end[a] - both.first[a] > kLongest;
+  if (is_long)
+    way.push_back(box);
+  else
+    way.back() = both;
+}
+
 }  // namespace haptics

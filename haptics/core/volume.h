@@ -47,6 +47,9 @@ struct VoxelBox {
 inline bool isEmpty(const VoxelBox& box) { return box.end[0] <= box.first[0]; }
 /// The least box that holds two boxes, each of which may be empty.
 VoxelBox joined(const VoxelBox& one, const VoxelBox& other);
+/// Adds a box to those of a way through a volume: it joins the last one as long as that has no side
+/// of more than 64 voxels. An empty box adds nothing.
+void add(const VoxelBox& box, std::vector<VoxelBox>& way);
 
 class Tissues;      // carving/tissues.h
 class VoxelMemory;  // core/voxel_memory.h

@@ -141,15 +141,16 @@ void ServoLoop::readDevice(Period& period, std::int64_t now) HAPTICS_RT {
 
 void ServoLoop::judgeCut(Period& period, std::int64_t now) HAPTICS_RT {
   const int button = guard_ ? guard_->handling.cut_button : -1;
-  const bool down = now < cut_until.load(std::memory_order_relaxed) ||
-                    (button >= 0 && button < 32 && ((reading_.buttons >> button) & 1U) != 0);
+  const std::int64_t until = cut_until.load(std::memory_order_relaxed);
+  const bool pressed = button >= 0 && button < 32 && ((reading_.buttons >> button) & 1U) != 0;
+  const bool down = now < until || pressed;
   constexpr auto kUnsure = static_cast<std::uint16_t>(
       StepFlags::kAdopted | StepFlags::kLost | StepFlags::kSilent | StepFlags::kNotReady |
       StepFlags::kGap | StepFlags::kTooFast | StepFlags::kJumped | StepFlags::kStalled);
   if (period.has(kUnsure) || safety_.state() == ForceState::Fault ||
       cut_rests.load(std::memory_order_relaxed))
     may_cut_ = false;
-  else if (!down)
+  else if (until == 0 && !pressed)
     may_cut_ = true;
   // nobody cuts what he does not feel
   const bool felt = safety_.state() == ForceState::On || safety_.state() == ForceState::Ramping;

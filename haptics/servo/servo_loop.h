@@ -60,8 +60,8 @@ class ServoLoop {
   /// Structures to which the proxy's distance is measured, from the next tick on; null: none. It
   /// must live as long as a ring.
   std::atomic<const Watch*> watch{nullptr};
-  /// Until then the key of the burr counts as down, by the watchdog's clock [ns]. A window that
-  /// hangs does not say it again.
+  /// Until then the key of the burr counts as down, by the watchdog's clock [ns]: a window that
+  /// hangs does not say it again. 0: it was released.
   std::atomic<std::int64_t> cut_until{0};
   /// The burr rests, whatever is held. Afterwards it must be released before it turns.
   std::atomic<bool> cut_rests{false};

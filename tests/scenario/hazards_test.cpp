@@ -631,6 +631,12 @@ TEST(Hazards, ABurrTurnsOnlyWhileItsKeyIsHeldAndWasReleasedBefore) {
     EXPECT_FALSE(held.turns());
     held.loop->cut_rests = false;
   });
+  ends("a gap while the window hangs", [&] {
+    held.loop->cut_until = held.now;
+    held.step(6'000'000);
+    held.steps(20);
+    held.key(true);
+  });
   ends("another scene", [&] { held.offer(held.snapshot().X_WP); });
   // a button of the device does the same
   held.key(false);

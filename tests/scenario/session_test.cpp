@@ -284,6 +284,29 @@ TEST(Session, CutsWithWhatItWasGivenWhateverHandHasTheToolAndTellsEachCut) {
             0);
 }
 
+TEST(Session, TurnsNoBurrInAnotherHandBeforeItsKeyWasReleased) {
+  MillingMouse milling;
+  haptics::Session& session = milling.session;
+  session.pull(MillingMouse::kPressed);
+  ASSERT_TRUE(milling.cutsMore(10));
+  const auto holdOn = [&] {
+    session.arm();
+    session.holdCut(true);
+    session.latest(milling.snapshot);
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  };
+  holdOn();
+  ASSERT_TRUE(session.open(haptics::HandKind::Mouse, MillingMouse::kAbove));
+  session.pull(MillingMouse::kPressed);
+  milling.snapshot = {};
+  while (milling.snapshot.tick < 1500) {
+    if (milling.snapshot.tick > 20) holdOn();  // a window says it later
+    session.latest(milling.snapshot);
+    EXPECT_FALSE(milling.snapshot.cuts);
+  }
+  EXPECT_TRUE(milling.cutsMore(10));
+}
+
 TEST(Session, LetsNothingCutInAnotherScene) {
   MillingMouse milling;
   haptics::Session& session = milling.session;

@@ -118,7 +118,8 @@ void CarvedPart::end() {
   voxels_.reset();
   scan_.reset();
   bricks_.clear();
-  waiting_ = tinted_box_ = {};
+  waiting_.clear();
+  tinted_box_ = {};
   contoured_.reset();
   tint_->forget();
   mesh_ = beside_ = nullptr;
@@ -127,7 +128,7 @@ void CarvedPart::end() {
 
 void CarvedPart::add(const haptics::VoxelBox& box) {
   if (!voxels_ || haptics::isEmpty(box)) return;
-  waiting_ = haptics::joined(waiting_, box);
+  haptics::add(box, waiting_);
   touch(box);
 }
 
@@ -165,7 +166,7 @@ void CarvedPart::setTint(bool on) {
 }
 
 void CarvedPart::upload(vtkOpenGLGPUVolumeRayCastMapper& caster) {
-  if (!voxels_ || haptics::isEmpty(waiting_)) return;
+  if (!voxels_ || waiting_.empty()) return;
   const auto input = caster.AssembledInputs.find(0);
   vtkVolumeTexture* textures =
       input == caster.AssembledInputs.end() ? nullptr : input->second.Texture.Get();
@@ -175,29 +176,30 @@ void CarvedPart::upload(vtkOpenGLGPUVolumeRayCastMapper& caster) {
   if (block == nullptr || block->TextureObject == nullptr) return;
   vtkTextureObject& texture = *block->TextureObject;
   const auto& dims = voxels_->grid.dims;
-  std::array<GLint, 3> first{};
-  std::array<GLsizei, 3> size{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    first[a] = static_cast<GLint>(waiting_.first[a]);
-    size[a] = static_cast<GLsizei>(waiting_.end[a] - waiting_.first[a]);
-  }
   const int type = vtkTypeOf(voxels_->type);
-  const std::int64_t at =
-      (waiting_.first[2] * dims[1] + waiting_.first[1]) * dims[0] + waiting_.first[0];
-  const auto* voxels = static_cast<const std::byte*>(voxels_->voxels.get()) +
-                       at * static_cast<std::int64_t>(haptics::sizeOf(voxels_->type));
   texture.Activate();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, static_cast<GLint>(dims[0]));
   glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, static_cast<GLint>(dims[1]));
-  glTexSubImage3D(GL_TEXTURE_3D, 0, first[0], first[1], first[2], size[0], size[1], size[2],
-                  texture.GetFormat(type, 1, false), static_cast<GLenum>(texture.GetDataType(type)),
-                  voxels);
+  for (const haptics::VoxelBox& box : waiting_) {
+    std::array<GLint, 3> first{};
+    std::array<GLsizei, 3> size{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      first[a] = static_cast<GLint>(box.first[a]);
+      size[a] = static_cast<GLsizei>(box.end[a] - box.first[a]);
+    }
+    const std::int64_t at = (box.first[2] * dims[1] + box.first[1]) * dims[0] + box.first[0];
+    const auto* voxels = static_cast<const std::byte*>(voxels_->voxels.get()) +
+                         at * static_cast<std::int64_t>(haptics::sizeOf(voxels_->type));
+    glTexSubImage3D(GL_TEXTURE_3D, 0, first[0], first[1], first[2], size[0], size[1], size[2],
+                    texture.GetFormat(type, 1, false),
+                    static_cast<GLenum>(texture.GetDataType(type)), voxels);
+  }
   glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   texture.Deactivate();
-  waiting_ = {};
+  waiting_.clear();
 }
 
 void CarvedPart::tint(vtkVolume& volume) { tint_->attachTo(volume); }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "haptics/core/volume.h"
 #include "ui/props/colouring.h"
@@ -75,7 +76,7 @@ class CarvedPart {
   std::optional<haptics::Volume> voxels_;
   std::shared_ptr<const haptics::Volume> scan_;
   std::map<BrickIndex, Brick> bricks_;
-  haptics::VoxelBox waiting_;  ///< what the textures do not have yet
+  std::vector<haptics::VoxelBox> waiting_;  ///< what the textures do not have yet
   bool tinted_ = true;
   struct Contoured {
     double isovalue = 0.0;

@@ -79,7 +79,7 @@ void CutTint::show(const haptics::Volume& scan, const haptics::VoxelBox& box) {
 
 void CutTint::forget() {
   if (!on_) return;
-  texels_ = {0};
+  texels_ = std::vector<std::uint16_t>(1);  // its memory too
   size_ = {1, 1, 1};
   is_new_ = true;
   above_ = 2.0F;

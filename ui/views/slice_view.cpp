@@ -126,7 +126,10 @@ void SliceView::show(const Picture& picture) {
 
 void SliceView::replace(const Picture& picture) { take(picture); }
 
-void SliceView::showLive(const haptics::Volume& voxels) { slice_.showLive(voxels); }
+void SliceView::showLive(const haptics::Volume& voxels) {
+  slice_.showLive(voxels);
+  changed();
+}
 
 void SliceView::carve() {
   slice_.carve();

@@ -2,6 +2,7 @@
 #include "app/window/edits/cut_controller.h"
 
 #include <QAction>
+#include <QThread>
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -115,7 +116,8 @@ void CutController::showScene(const std::vector<datasets::Edit>& edits) {
 }
 
 void CutController::rest(bool on) {
-  shared_.session.restCut(on);
+  asks_ = on;
+  goOn();
   if (!on) return;
   key_ = false;  // until it is pressed anew
   shared_.session.holdCut(false);
@@ -145,6 +147,7 @@ void CutController::prepare() {
     live_.reset();
     law_.clear();
     cut_ = false;
+    way_.clear();
     scene_ = shared_.shown->scene->id;
   }
   const resources::NamedTool* tool = burr();
@@ -174,15 +177,27 @@ void CutController::deliver(std::uint64_t scene, haptics::Expected<Made> made) {
       window_.messages().showMessage(sentenceOf(made.error()));
     return callWaiting();
   }
-  takeCuts();
   // the law before may cut until now: what was cut is kept, and the new law begins with a scene
-  if (live_ && (cut_ || shared_.snapshot.cuts)) return emit freshWanted();
-  live_ = std::move(made->live);
-  law_ = QString::fromStdString(wordsOf(made->cutting->law()));
-  tellLaw();
-  shared_.session.cut(std::move(made->cutting));
-  showLive();
-  callWaiting();
+  const bool known = stop();
+  if (live_ && (cut_ || !known)) {
+    emit freshWanted();
+  } else {
+    live_ = std::move(made->live);
+    law_ = QString::fromStdString(wordsOf(made->cutting->law()));
+    tellLaw();
+    shared_.session.cut(std::move(made->cutting));
+    showLive();
+    callWaiting();
+  }
+  goOn();
+}
+
+bool CutController::stop() {
+  shared_.session.restCut(true);
+  for (int n = 0; n < 20 && !shared_.session.cutRests(); ++n) QThread::msleep(1);
+  const bool known = shared_.session.cutRests();
+  takeCuts();
+  return known;
 }
 
 void CutController::tellLaw() {
@@ -191,8 +206,9 @@ void CutController::tellLaw() {
 
 void CutController::showLive() {
   if (!live_ || replaying_) return;
-  window_.views().showLive(live_->volume(), scanOf(live_->uncut()),
-                           datasets::boxesOfStrokes(*live_->uncut()));
+  std::vector<haptics::VoxelBox> cut_before = datasets::boxesOfStrokes(*live_->uncut());
+  cut_before.insert(cut_before.end(), way_.begin(), way_.end());
+  window_.views().showLive(live_->volume(), scanOf(live_->uncut()), cut_before);
   window_.views().volume().setTint(panel_->tint());
 }
 
@@ -215,20 +231,23 @@ void CutController::tellSound() {
 
 void CutController::takeCuts() {
   std::array<haptics::BurrCut, kCutsAtOnce> cuts;
-  haptics::VoxelBox changed;
+  std::vector<haptics::VoxelBox> changed;
   while (const std::size_t count = shared_.session.cuts(cuts)) {
     if (!live_) continue;  // of a scene that is gone with all that was cut in it
     for (std::size_t n = 0; n < count; ++n) {
       const auto done = live_->carve(cuts[n]).value();  // its view is open: nothing is refused
-      changed = joined(changed, done.box);
+      haptics::add(done.box, changed);
       removed_.add(done.removed);
       stroke_.push_back(cuts[n]);
       cut_ = true;
       if (stroke_.size() == datasets::kMostCuts) endStroke();
     }
   }
-  if (isEmpty(changed)) return;
-  if (!replaying_) window_.views().carve(changed);
+  if (changed.empty()) return;
+  for (const haptics::VoxelBox& box : changed) {
+    haptics::add(box, way_);
+    if (!replaying_) window_.views().carve(box);
+  }
   showRemoved();
 }
 
@@ -255,11 +274,15 @@ void CutController::setReplaying(bool replaying) {
 }
 
 void CutController::whenUncut(std::function<void()> then) {
-  takeCuts();
+  const bool known = stop();
   endStroke();
-  if (!cut_) return then();
-  waiting_ = std::move(then);
-  emit freshWanted();
+  if (known && !cut_) {
+    then();
+  } else {
+    waiting_ = std::move(then);
+    emit freshWanted();
+  }
+  goOn();
 }
 
 void CutController::callWaiting() {

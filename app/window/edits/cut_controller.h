@@ -48,6 +48,8 @@ class CutController : public QObject {
   void rest(bool on);
   /// Whether something was cut that is in no stroke yet.
   bool hasCut();
+  /// The same as far as refresh() knows, or whether the burr turns.
+  bool isCutting() const { return shared_.snapshot.cuts || !stroke_.empty(); }
   /// During a replay nothing is cut.
   void setReplaying(bool replaying);
   /// Calls `then` when nothing was cut in the scene, if need be in a new one: a recording knows a
@@ -79,6 +81,10 @@ class CutController : public QObject {
   haptics::CutLaw lawOf(const resources::NamedTool& burr) const;
   void prepare();
   void deliver(std::uint64_t scene, haptics::Expected<Made> made);
+  /// Has the burr rest until goOn(), and takes what it has cut. Returns whether that is all: of a
+  /// loop that stands it is not known.
+  bool stop();
+  void goOn() { shared_.session.restCut(asks_); }
   void takeCuts();
   void endStroke();
   void changeLaw();
@@ -92,11 +98,13 @@ class CutController : public QObject {
   SharedState& shared_;
   ui::CutPanel* panel_;
   background::Task<Made> maker_;
-  std::uint64_t scene_ = 0;         ///< that is cut, or is prepared for it; 0: none
-  QString law_;                     ///< of what cuts; empty: nothing does
-  std::optional<CarvedCopy> live_;  ///< for the eye; none: not yet, or nothing cuts
-  bool cut_ = false;                ///< something was cut in the scene
-  bool key_ = false;                ///< of the burr is held
+  std::uint64_t scene_ = 0;             ///< that is cut, or is prepared for it; 0: none
+  QString law_;                         ///< of what cuts; empty: nothing does
+  std::optional<CarvedCopy> live_;      ///< for the eye; none: not yet, or nothing cuts
+  bool cut_ = false;                    ///< something was cut in the scene
+  std::vector<haptics::VoxelBox> way_;  ///< hold all that was cut in it
+  bool key_ = false;                    ///< of the burr is held
+  bool asks_ = false;                   ///< rest()
   bool replaying_ = false;
   std::vector<haptics::BurrCut> stroke_;  ///< under way
   haptics::Removed removed_;              ///< by it

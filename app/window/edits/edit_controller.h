@@ -4,8 +4,10 @@
 #include <QAction>
 #include <QObject>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/background/task.h"
@@ -37,6 +39,8 @@ class EditController : public QObject {
  public:
   EditController(ui::MainWindow& window, SharedState& shared);
 
+  /// Says whether a burr cuts, or has cut what is in no stroke yet. Before anything is edited.
+  void setCutting(std::function<bool()> cuts) { jobs_.setCutting(std::move(cuts)); }
   /// Call it when another scene is on view.
   void showScene();
   /// Call it at display rate, with a snapshot that is as new as can be.

@@ -67,7 +67,7 @@ bool EditQueue::hasStrokes() const {
 
 void EditQueue::cancel() {
   cancelWait();
-  task_.cancel();
+  if (running_ && !isOwed(*running_)) task_.cancel();
 }
 
 bool EditQueue::raises(const Job& job) const {
@@ -79,6 +79,12 @@ bool EditQueue::raises(const Job& job) const {
   for (std::size_t a = 0; a < 3; ++a)
     if (crop->kept.first[a] < now.first[a] || crop->kept.end[a] > now.end[a]) return true;
   return false;
+}
+
+bool EditQueue::putsBack(const Job& job) const {
+  if (isFelt(job)) return false;
+  // a stroke that ended meanwhile is in the touch, and not in what was made
+  return raises(job) || std::ranges::any_of(queue_, [this](const Job& j) { return isFelt(j); });
 }
 
 bool EditQueue::touches() const {
@@ -118,8 +124,7 @@ void EditQueue::endWait() {
 }
 
 void EditQueue::cancelWait() {
-  // the touch must not stay what it is
-  if (running_ ? running_->puts_back : !queue_.empty() && queue_.front().puts_back) return;
+  if (running_ && isOwed(*running_)) return;
   if (held_) {
     task_.start(
         [history = held_->history, step = running_->step](const Watch&) -> haptics::Expected<Made> {
@@ -131,7 +136,7 @@ void EditQueue::cancelWait() {
     endWait();
     return;
   }
-  if (running_ || queue_.empty()) return;
+  if (running_ || queue_.empty() || isOwed(queue_.front()) || !raises(queue_.front())) return;
   queue_.pop_front();
   endWait();
   loading_.end();
@@ -139,8 +144,8 @@ void EditQueue::cancelWait() {
 
 void EditQueue::startNext() {
   if (running_ || held_ || queue_.empty() || !shared_.shown) return;
-  // the scene that comes of it would not have the stroke under way
-  if (queue_.front().felt_in == 0 && shared_.snapshot.cuts) return;
+  // the stroke under way comes first: it is the last edit then
+  if (queue_.front().felt_in == 0 && cuts_()) return;
   if (raises(queue_.front()) && !isClear()) return showWait(queue_.front().step);
   endWait();
   running_ = std::move(queue_.front());
@@ -246,9 +251,8 @@ void EditQueue::deliver(haptics::Expected<Made> made) {
     emit failed();
     return startNext();
   }
+  // refresh() adopts it, on what the tool does then
   held_ = std::move(*made);
-  // what puts material back is adopted by refresh(), on what the tool touches then
-  if (!raises(*running_)) adopt();
 }
 
 void EditQueue::adopt() {
@@ -270,7 +274,8 @@ void EditQueue::adopt() {
         [this](haptics::Expected<Made> made) { deliver(std::move(made)); });
     return;
   }
-  if (raises(*running_) && !isClear()) return showWait(running_->step);
+  if (!isFelt(*running_) && cuts_()) return;
+  if (putsBack(*running_) && !isClear()) return showWait(running_->step);
   const Job job = *std::exchange(running_, std::nullopt);
   Made made = *std::exchange(held_, std::nullopt);
   endWait();

@@ -5,8 +5,10 @@
 #include <QObject>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/background/task.h"
@@ -42,6 +44,8 @@ class EditQueue : public QObject {
 
   EditQueue(ui::Messages& messages, ui::Loading& loading, SharedState& shared);
 
+  /// Says whether a burr cuts, or has cut what is in no job yet. Before anything is wanted.
+  void setCutting(std::function<bool()> cuts) { cuts_ = std::move(cuts); }
   /// Another scan is on view: what was meant for the one before is dropped.
   void begin(std::shared_ptr<const haptics::Volume> scan);
   void want(Job job);
@@ -49,7 +53,7 @@ class EditQueue : public QObject {
   void refresh();
   /// Whether a job waits for the tool.
   bool isWaiting() const { return held_.has_value() || (!running_ && !queue_.empty()); }
-  /// Drops the job that waits for the tool.
+  /// Drops the job that waits for the tool, but for a stroke: what is cut is cut.
   void cancelWait();
   /// The same, and ends the one that is under way.
   void cancel();
@@ -100,6 +104,12 @@ class EditQueue : public QObject {
   /// Takes a step of the history back that is not on view.
   static void rollBack(datasets::EditHistory& history, Step step);
   bool raises(const Job& job) const;
+  /// Whether the touch already is what comes of the job.
+  bool isFelt(const Job& job) const { return job.felt_in == shared_.shown->scene->id; }
+  /// Whether what comes of the job may put back what is cut in the touch.
+  bool putsBack(const Job& job) const;
+  /// Whether the touch must not stay what it is, or its cuts must become an edit.
+  static bool isOwed(const Job& job) { return job.puts_back || job.felt_in != 0; }
   bool touches() const;
   bool isClear() const;
   void showWait(Step step);
@@ -115,6 +125,7 @@ class EditQueue : public QObject {
   ui::Messages& messages_;
   ui::Loading& loading_;
   SharedState& shared_;
+  std::function<bool()> cuts_;
   std::shared_ptr<const haptics::Volume> scan_;     ///< of the volume on view
   std::shared_ptr<datasets::EditHistory> history_;  ///< of scan_; null: no edit yet
   std::deque<Job> queue_;

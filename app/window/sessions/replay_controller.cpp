@@ -249,7 +249,7 @@ void ReplayController::compareVolumes() {
 void ReplayController::showCuts() {
   if (!replay_ || !same_volume_ || editor_.isRunning() || !on_view_.volume) return;
   const haptics::Step& step = replay_->step().step;
-  const bool behind = !cuts_.show(on_view_.volume, step.scene, step.sequence);
+  const bool behind = !cuts_.show(on_view_, step.scene, step.sequence);
   if (behind) cutting_.start();
   if (std::exchange(behind_, behind) != behind)
     replay_bar_.showWarning(behind ? tr("What was cut until here is being cut again.") : QString{});

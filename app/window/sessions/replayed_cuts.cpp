@@ -14,14 +14,16 @@ haptics::Expected<std::vector<RecordedCut>> ReplayedCuts::read(
   return cutsOf(*recording, goes_on);
 }
 
-bool ReplayedCuts::show(const std::shared_ptr<const haptics::Volume>& on_view, std::uint32_t scene,
-                        std::uint64_t sequence) {
+bool ReplayedCuts::show(const ui::Picture& on_view, std::uint32_t scene, std::uint64_t sequence) {
   constexpr std::size_t kAtOnce = 400;  // some 20 ms
-  const auto moved = cuts_.moveTo(on_view, scene, sequence, kAtOnce);
+  const auto& volume = on_view.volume;
+  const auto moved = cuts_.moveTo(volume, scene, sequence, kAtOnce);
   if (!moved) return true;
-  if (moved->anew)
-    views_.showLive(cuts_.volume(), scanOf(on_view), datasets::boxesOfStrokes(*on_view));
-  if (!haptics::isEmpty(moved->changed)) views_.carve(moved->changed);
+  if (moved->anew && isShown())
+    views_.showLive(cuts_.volume(), scanOf(volume), datasets::boxesOfStrokes(*volume));
+  else if (moved->anew)
+    views_.replace(on_view);
+  for (const haptics::VoxelBox& box : moved->changed) views_.carve(box);
   return moved->whole;
 }
 

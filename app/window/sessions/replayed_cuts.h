@@ -28,11 +28,10 @@ class ReplayedCuts {
   /// Another picture is on view, or none: what was cut is seen no more.
   void forget() { cuts_.forget(); }
   bool isShown() const { return cuts_.isCarved(); }
-  /// Shows what was cut of a scene until a step, over this volume, which is on view. Back in time
+  /// Shows what was cut of a scene until a step, over this picture, which is on view. Back in time
   /// everything is cut anew. Returns whether it shows all of it: if not, the same call again goes
   /// on, so that no call takes long.
-  bool show(const std::shared_ptr<const haptics::Volume>& on_view, std::uint32_t scene,
-            std::uint64_t sequence);
+  bool show(const ui::Picture& on_view, std::uint32_t scene, std::uint64_t sequence);
 
  private:
   ui::Views& views_;

@@ -10,14 +10,12 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
-#include <QListWidget>
 #include <QPointer>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTableWidget>
-#include <QThread>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
@@ -188,75 +186,6 @@ TEST_F(Cutting, LeavesAStructureThatMayNotBeCutToTheVoxel) {
   undo();
   EXPECT_EQ(cutting.currentText(), "As its values say");
   EXPECT_FALSE(child<QLabel>("cutTissues").isVisibleTo(&window()));
-}
-
-TEST_F(Cutting, IsTakenBackStrokeByStrokeOutOfContactAlone) {
-  openWithBurr();
-  ASSERT_FALSE(HasFatalFailure());
-  const haptics::Volume* const scan = application_->shown()->volume().get();
-  lift();
-  const QImage first = window::pictureAtRest(window().views().volume());
-  cut(-4.0, 6.0);
-  lift();
-  cut(0.0, 6.0);
-  ASSERT_FALSE(HasFatalFailure());
-  const std::uint64_t scene = application_->snapshot().scene;
-  // in contact it waits
-  ASSERT_GT(application_->snapshot().contacts, 0);
-  QTest::mouseClick(&child("undoStroke"), Qt::LeftButton);
-  QTest::qWait(300);
-  EXPECT_EQ(strokes(), 2U);
-  EXPECT_EQ(application_->snapshot().scene, scene);
-  lift();
-  settle();
-  EXPECT_EQ(strokes(), 1U);
-  auto& list = child<QListWidget>("cutStrokes");
-  ASSERT_EQ(list.count(), 1);
-  EXPECT_EQ(list.item(0)->text(), QString("Stroke 1: %1 mm³").arg(removed_mm3(), 0, 'f', 1));
-  window().views().setCross(at(3.0));
-  expectTheSameEverywhere();
-  ASSERT_TRUE(isReady());
-  redo();
-  ASSERT_EQ(list.count(), 2);
-  EXPECT_TRUE(list.item(0)->text().startsWith("Stroke 2: "));
-  EXPECT_EQ(strokes(), 2U);
-  undo();
-  undo();
-  EXPECT_EQ(strokes(), 0U);
-  EXPECT_EQ(application_->shown()->volume().get(), scan);
-  EXPECT_EQ(child<QLabel>("cutRemoved").text(), "Nothing was cut yet.");
-  EXPECT_EQ(list.count(), 0);
-  window().views().setCross(at(3.0));
-  expectTheSameEverywhere();
-  EXPECT_LT(window::differing(window::pictureAtRest(window().views().volume()), first), 0.002);
-  // and it can be cut anew
-  ASSERT_TRUE(isReady());
-  cut(3.0, 4.0);
-  EXPECT_EQ(strokes(), 1U);
-}
-
-TEST_F(Cutting, KeepsWhatWasCutWhileAnotherLawIsPrepared) {
-  openWithBurr();
-  ASSERT_FALSE(HasFatalFailure());
-  const std::uint64_t scene = application_->snapshot().scene;
-  lift();
-  pullTip(at(5.0));
-  window::afterTicks(*application_, 100);
-  child<QCheckBox>("cutVibration").click();
-  // the window is busy: it neither delivers the law nor sees the cuts
-  for (int n = 0; n < 10; ++n) {
-    application_->session().holdCut(true);
-    QThread::msleep(50);
-  }
-  application_->session().holdCut(false);
-  ASSERT_TRUE(waitFor([&] { return strokes() == 1; })) << state().toStdString();
-  EXPECT_GT(removed_mm3(), 1.0);
-  lift();
-  settle();
-  EXPECT_NE(application_->snapshot().scene, scene);
-  window().views().setCross(at(1.0));
-  expectTheSameEverywhere();
-  EXPECT_TRUE(isReady());
 }
 
 TEST_F(Cutting, ATextureGetsNoOtherVoxelsThanThoseThatWereCut) {

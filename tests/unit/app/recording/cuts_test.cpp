@@ -62,17 +62,22 @@ TEST(RecordedCuts, AreWhatTheyWereToTheBit) {
   }
 }
 
-TEST(RecordedCuts, AreCarriedOutLittleByLittleAndAnewBackInTime) {
+/// Voxels of 1 mm that are all to be cut, but for the first.
+std::shared_ptr<const haptics::Volume> filled(const std::array<std::int64_t, 3>& dims) {
   haptics::Grid grid;
-  grid.dims = {40, 40, 40};
+  grid.dims = dims;
   grid.spacing = haptics::Vec3::Constant(1e-3);
   const auto voxels =
       haptics::allocateVoxels(grid.voxelCount(), haptics::ScalarType::Int16).value();
   auto* const first = static_cast<std::int16_t*>(voxels.get());
   std::fill_n(first, grid.voxelCount(), std::int16_t{1000});
   *first = -1000;
-  const auto volume = std::make_shared<const haptics::Volume>(
+  return std::make_shared<const haptics::Volume>(
       haptics::makeVolume(grid, haptics::ScalarType::Int16, voxels).value());
+}
+
+TEST(RecordedCuts, AreCarriedOutLittleByLittleAndAnewBackInTime) {
+  const auto volume = filled({40, 40, 40});
   std::vector<RecordedCut> all;
   for (std::uint64_t n = 0; n < 10; ++n) {
     const haptics::Vec3 at = 1e-3 * haptics::Vec3{10.0 + double(n), 20.0, 20.0};
@@ -95,12 +100,12 @@ TEST(RecordedCuts, AreCarriedOutLittleByLittleAndAnewBackInTime) {
       ASSERT_TRUE(moved);
       EXPECT_EQ(moved->whole, left == 0) << left;
       EXPECT_EQ(moved->anew, left == 7) << left;
-      EXPECT_FALSE(haptics::isEmpty(moved->changed));
+      EXPECT_EQ(moved->changed.size(), 1U);
       EXPECT_EQ(digestNow(cuts) == whole.digest(), left == 0) << left;
     }
     const auto rests = cuts.moveTo(volume, 2, 60, 3);
     ASSERT_TRUE(rests);
-    EXPECT_TRUE(rests->whole && !rests->anew && haptics::isEmpty(rests->changed));
+    EXPECT_TRUE(rests->whole && !rests->anew && rests->changed.empty());
     // back in time, and then again
     const auto back = cuts.moveTo(volume, 2, 12);
     ASSERT_TRUE(back);
@@ -108,7 +113,31 @@ TEST(RecordedCuts, AreCarriedOutLittleByLittleAndAnewBackInTime) {
     CarvedCopy three{volume};
     for (std::size_t n = 0; n < 3; ++n) ASSERT_TRUE(three.carve(all[n].cut));
     EXPECT_EQ(digestNow(cuts), three.digest());
-    cuts.forget();
+    // where nothing was cut there is nothing to show
+    const auto uncut = cuts.moveTo(volume, 9, 60);
+    ASSERT_TRUE(uncut);
+    EXPECT_TRUE(uncut->whole && uncut->anew && !cuts.isCarved());
+    EXPECT_FALSE(cuts.moveTo(volume, 9, 61)->anew);
+  }
+}
+
+TEST(RecordedCuts, FarApartHaveBoxesOfTheirOwn) {
+  const auto volume = filled({200, 20, 20});
+  std::vector<RecordedCut> all;
+  for (const double x : {10.0, 30.0, 150.0, 180.0, 20.0})
+    all.push_back({all.size(),
+                   1,
+                   {1e-3 * haptics::Vec3{x, 10.0, 10.0}, 1e-3 * haptics::Vec3{x + 1.0, 10.0, 10.0},
+                    3e-3, 300.0}});
+  CutsUntil cuts;
+  cuts.set(all);
+  const auto moved = cuts.moveTo(volume, 1, 10);
+  ASSERT_TRUE(moved);
+  ASSERT_EQ(moved->changed.size(), 3U);
+  for (std::size_t n = 0; n < 3; ++n) {
+    const haptics::VoxelBox& box = moved->changed[n];
+    EXPECT_LE(box.end[0] - box.first[0], 64) << n;
+    EXPECT_TRUE(box.first[0] <= 20 == (n != 1)) << n;
   }
 }
 
