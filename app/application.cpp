@@ -510,6 +510,7 @@ void Application::Parts::wireViews() {
 
 void Application::Parts::wireProgram() {
   connect(&structures, &StructuresController::tissuesWanted, &edit, &EditController::setTissues);
+  connect(&edit, &EditController::failed, &structures, &StructuresController::forgetChoice);
   connect(&structures, &StructuresController::fileChanged, &journal,
           &JournalController::setStructures);
   connect(&journal, &JournalController::structuresWanted, &structures, &StructuresController::open);

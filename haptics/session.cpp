@@ -143,14 +143,15 @@ class Session::Loop {
     try {
       servo->start();
     } catch (const std::system_error&) {
+      keep();
       servo.reset();
       return tl::unexpected(Error{Error::Kind::Unsupported, {"touch-no-thread", {}}, "no-thread"});
     }
     return {};
   }
   /// Keeps what cuts in the scene for the next loop.
-  void keep(std::unique_ptr<Cutting> kept) {
-    if (kept && scene && kept->scene()->id == scene->id) cutting = std::move(kept);
+  void keep() {
+    if (scene) cutting = servo->scenes.release(scene->id);
   }
   bool armed = true;            ///< the user's word, through every hand and scene
   std::int64_t cut_until = 0;   ///< holdCut(), through every hand
@@ -218,7 +219,7 @@ void Session::close() {
   if (loop_->servo) {
     loop_->servo->end();
     if (loop_->rating) loop_->warmth = {loop_->rating->id, loop_->servo->heat(), monotonicNs()};
-    loop_->keep(loop_->servo->scenes.release());
+    loop_->keep();
     for (BurrCut cut; loop_->servo->cuts.try_dequeue(cut);) loop_->cuts_left.push_back(cut);
   }
   loop_->servo.reset();
@@ -252,9 +253,11 @@ void Session::bring(const Pose& X_WT, const Pose& X_WH) {
 }
 
 void Session::cut(std::unique_ptr<Cutting> cutting) {
-  if (!loop_->servo) return loop_->keep(std::move(cutting));
-  if (loop_->scene && cutting->scene()->id == loop_->scene->id)
+  if (!loop_->scene || cutting->scene()->id != loop_->scene->id) return;
+  if (loop_->servo)
     loop_->servo->scenes.offer(std::move(cutting));
+  else
+    loop_->cutting = std::move(cutting);
 }
 
 void Session::holdCut(bool down) {

@@ -12,7 +12,7 @@
 
 #include "app/export/removed_voxels.h"
 #include "app/export/selection.h"
-#include "app/recording/cut_words.h"
+#include "app/recording/recorded_cuts.h"
 
 namespace app::exporting {
 namespace {
@@ -75,20 +75,6 @@ struct BurrTables {
   std::optional<double> last_mm_;
 };
 
-/// Of each scene in which a burr can cut, the burr's diameter [mm].
-haptics::Expected<std::map<std::uint32_t, double>> diametersIn(const Recording& recording) {
-  std::map<std::uint32_t, double> diameters;
-  for (const RecordedEvent& event : recording.events()) {
-    if (event.kind != kCutLawEvent || !event.value) continue;
-    const auto law = lawFrom(event.text);
-    if (!law) return tl::unexpected(law.error());
-    // the last one counts: nothing was cut before
-    diameters.insert_or_assign(static_cast<std::uint32_t>(*event.value),
-                               2.0 * law->burr.radius * kMmPerM);
-  }
-  return diameters;
-}
-
 bool writeVoxelVolume(hid_t file, const haptics::Grid& grid) {
   const double volume = (grid.spacing * kMmPerM).prod();
   const Handle way{H5Pcreate(H5P_LINK_CREATE), H5Pclose};
@@ -134,8 +120,8 @@ void DrillForce::add(const haptics::Step& step) {
 
 haptics::Expected<bool> writeDrilling(hid_t file, Recording& recording,
                                       const ExportOptions& options, Exported& exported) {
-  const auto diameters = diametersIn(recording);
-  if (!diameters) return tl::unexpected(diameters.error());
+  const auto laws = lawsOf(recording);
+  if (!laws) return tl::unexpected(laws.error());
   std::map<std::uint32_t, std::shared_ptr<const haptics::Volume>> volumes;
   if (options.volume)
     for (const RecordedScene& scene : recording.scenes())
@@ -153,8 +139,8 @@ haptics::Expected<bool> writeDrilling(hid_t file, Recording& recording,
   const auto add = [&](const haptics::Step& step) -> haptics::Expected<void> {
     const double time = double(step.time_ns) * 1e-9;
     const bool chosen = step.time_ns >= window.from;
-    const auto diameter = diameters->find(step.scene);
-    if (chosen && diameter != diameters->end()) burrs.add(time, diameter->second);
+    const auto law = laws->find(step.scene);
+    if (chosen && law != laws->end()) burrs.add(time, 2.0 * law->second.burr.radius * kMmPerM);
     if (!step.cut) return {};
     const auto volume = volumes.find(step.scene);
     if (volume == volumes.end()) {
@@ -190,7 +176,7 @@ haptics::Expected<bool> writeDrilling(hid_t file, Recording& recording,
   if (voxels) exported.removed_voxels = count;
   const auto& scenes = recording.scenes();
   const auto cut = std::ranges::find_if(
-      scenes, [&](const RecordedScene& one) { return diameters->contains(one.id); });
+      scenes, [&](const RecordedScene& one) { return laws->contains(one.id); });
   return sound && burrs.flush() && (!voxels || voxels->flush()) &&
          (cut == scenes.end() || writeVoxelVolume(file, cut->volume.grid)) &&
          linkAtRoot(file, cut != scenes.end(), voxels.has_value());

@@ -18,7 +18,9 @@ haptics::Expected<CarvedCopy::Done> CarvedCopy::carve(const haptics::BurrCut& cu
   if (!isPossible(cut)) return Done{};
   if (auto opened = open(); !opened) return tl::unexpected(opened.error());
   haptics::BurrCarving carving{*uncut_, cut};
-  Done done{.removed = carving.lowerAll(voxels_.get(), uncut_->voxels.get()), .box = {}};
+  Done done;
+  done.removed = carving.lowerAll(voxels_.get(), uncut_->voxels.get());
+  done.looked = haptics::voxelsIn(carving.box());
   if (done.removed.voxels > 0) done.box = carving.box();
   return done;
 }

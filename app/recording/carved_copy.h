@@ -25,7 +25,8 @@ class CarvedCopy {
   /// What a cut has done.
   struct Done {
     haptics::Removed removed;
-    haptics::VoxelBox box;  ///< that holds all voxels that it lowered; empty: there are none
+    haptics::VoxelBox box;    ///< that holds all voxels that it lowered; empty: there are none
+    std::int64_t looked = 0;  ///< voxels that it may have reached: its work
   };
   /// A cut that no burr makes (isPossible) does nothing.
   haptics::Expected<Done> carve(const haptics::BurrCut& cut);

@@ -51,7 +51,7 @@ haptics::Expected<haptics::CutLaw> lawFrom(const std::string& words) {
                                 : ordered_json::parse(words, nullptr, false);
   if (!said.is_object()) return damaged();
   haptics::CutLaw law;
-  const auto radius = numberIn(said, "radius", 1e-6, haptics::kLargestBurr),
+  const auto radius = numberIn(said, "radius", haptics::kSmallestBurr, haptics::kLargestBurr),
              speed = numberIn(said, "speed", 0.0, 1e6), share = numberIn(said, "share", 0.0, 10.0),
              vibration = numberIn(said, "vibration", 0.0, 1.0);
   if (!radius || !speed || !share || !vibration || !said.contains("centre") ||

@@ -5,9 +5,23 @@
 #include <cmath>
 #include <utility>
 
+#include "app/recording/cut_words.h"
 #include "app/recording/recording.h"
 
 namespace app {
+
+haptics::Expected<std::map<std::uint32_t, haptics::CutLaw>> lawsOf(const Recording& recording) {
+  std::map<std::uint32_t, haptics::CutLaw> laws;
+  for (const RecordedEvent& event : recording.events()) {
+    if (event.kind != kCutLawEvent || !event.value) continue;
+    auto law = lawFrom(event.text);
+    if (!law) return tl::unexpected(law.error());
+    // the last one counts: nothing was cut before
+    for (const RecordedScene& scene : recording.scenes())
+      if (double(scene.id) == *event.value) laws.insert_or_assign(scene.id, *law);
+  }
+  return laws;
+}
 
 haptics::Expected<std::vector<RecordedCut>> cutsOf(Recording& recording,
                                                    const std::function<bool()>& goes_on) {
@@ -38,7 +52,7 @@ haptics::Expected<void> CutsUntil::begin(const std::shared_ptr<const haptics::Vo
 
 haptics::Expected<CutsUntil::Moved> CutsUntil::moveTo(
     const std::shared_ptr<const haptics::Volume>& uncut, std::uint32_t scene,
-    std::uint64_t sequence, std::size_t most) {
+    std::uint64_t sequence, std::int64_t most) {
   Moved moved;
   if (std::ranges::find(cuts_, scene, &RecordedCut::scene) == cuts_.end()) {
     moved.anew = isCarved();
@@ -55,12 +69,13 @@ haptics::Expected<CutsUntil::Moved> CutsUntil::moveTo(
   for (; live_->next < cuts_.size() && cuts_[live_->next].scene == scene &&
          cuts_[live_->next].sequence <= sequence;
        ++live_->next) {
-    if (most-- == 0) {
+    if (most <= 0) {
       moved.whole = false;
       break;
     }
     const auto done = live_->copy.carve(cuts_[live_->next].cut);
     if (!done) return tl::unexpected(done.error());
+    most -= done->looked;
     haptics::add(done->box, moved.changed);
   }
   return moved;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "haptics/carving/burr.h"
 #include "haptics/core/error.h"
 #include "haptics/core/volume.h"
+#include "haptics/proxy/cutting.h"
 
 namespace app {
 
@@ -24,6 +26,8 @@ struct RecordedCut {
   haptics::BurrCut cut;
 };
 
+/// How a burr cuts in the scenes of a recording, by scene.
+haptics::Expected<std::map<std::uint32_t, haptics::CutLaw>> lawsOf(const Recording& recording);
 /// All cuts of a recording, in order, or those before `goes_on` returned false.
 haptics::Expected<std::vector<RecordedCut>> cutsOf(Recording& recording,
                                                    const std::function<bool()>& goes_on);
@@ -41,13 +45,13 @@ class CutsUntil {
     std::vector<haptics::VoxelBox> changed;  ///< hold all voxels that were lowered
     bool whole = true;                       ///< nothing is left to cut until the step
   };
-  static constexpr std::size_t kAll = SIZE_MAX;
-  /// Carries out what was cut of a scene until a step, over the scene's volume, with `most` cuts at
-  /// most: the same call again goes on. Back in time, in another scene and over another volume
-  /// everything is cut anew. In a scene without cuts nothing isCarved().
+  static constexpr std::int64_t kAll = INT64_MAX;
+  /// Carries out what was cut of a scene until a step, over the scene's volume, until cuts have
+  /// looked at `most` voxels: the same call again goes on. Back in time, in another scene and over
+  /// another volume everything is cut anew. In a scene without cuts nothing isCarved().
   haptics::Expected<Moved> moveTo(const std::shared_ptr<const haptics::Volume>& uncut,
                                   std::uint32_t scene, std::uint64_t sequence,
-                                  std::size_t most = kAll);
+                                  std::int64_t most = kAll);
   /// With what was cut until then; only while isCarved().
   const haptics::Volume& volume() const { return live_->copy.volume(); }
 

@@ -11,6 +11,7 @@
 #include "app/recording/carved_copy.h"
 #include "app/recording/cut_words.h"
 #include "app/recording/felt_words.h"
+#include "app/recording/recorded_cuts.h"
 #include "datasets/edits/edited.h"
 #include "datasets/edits/walls.h"
 #include "haptics/servo/engagement.h"
@@ -67,14 +68,11 @@ class CutsThen {
  public:
   static haptics::Expected<CutsThen> of(const Recording& recording) {
     CutsThen cuts;
-    for (const RecordedEvent& event : recording.events()) {
+    auto laws = lawsOf(recording);
+    if (!laws) return tl::unexpected(laws.error());
+    cuts.laws_ = std::move(*laws);
+    for (const RecordedEvent& event : recording.events())
       if (event.kind == kCarvedEvent) cuts.said_.push_back(&event);
-      if (event.kind != kCutLawEvent || !event.value) continue;
-      auto law = lawFrom(event.text);
-      if (!law) return tl::unexpected(law.error());
-      // the last one counts: nothing was cut before
-      cuts.laws_.insert_or_assign(static_cast<std::uint32_t>(*event.value), *law);
-    }
     return cuts;
   }
   /// What is touched in a scene from a start on: by a tool that cuts, with all cuts until now.
@@ -228,7 +226,10 @@ haptics::Expected<ReplayDifference> replay(
       if (cancelled) return false;
     }
     // what is missing before this step was not seen: without a new start nothing is known
-    if (step.sequence != expected) safety.reset();
+    if (step.sequence != expected) {
+      safety.reset();
+      if (touched && touched->cutting) touched->cutting->settle();
+    }
     expected = step.sequence + 1;
     while (start != recording.starts().end() && start->sequence <= step.sequence) {
       if (start->sequence == step.sequence) {

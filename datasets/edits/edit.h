@@ -104,17 +104,22 @@ class TissueTable {
     int structure = 0;                         ///< its number in the label map
     double energy = haptics::Tissues::kNever;  ///< J/m3, above 0; kNever: it may not be cut
     std::vector<haptics::VoxelRun> runs = {};  ///< its voxels, by k, j, i, apart
+    bool operator==(const Part&) const = default;
   };
   /// `dims`: of the scan. Runs lie in it.
   explicit TissueTable(std::array<std::int64_t, 3> dims = {1, 1, 1}, std::vector<Part> parts = {})
       : made_{std::make_shared<const Made>(Made{dims, std::move(parts)})} {}
   const std::array<std::int64_t, 3>& dims() const { return made_->dims; }
   const std::vector<Part>& parts() const { return made_->parts; }
+  bool operator==(const TissueTable& other) const {
+    return made_ == other.made_ || *made_ == *other.made_;
+  }
 
  private:
   struct Made {
     std::array<std::int64_t, 3> dims;
     std::vector<Part> parts;
+    bool operator==(const Made&) const = default;
   };
   std::shared_ptr<const Made> made_;
 };
@@ -132,9 +137,14 @@ inline constexpr std::size_t kMostCuts = 200'000;  ///< of a stroke: minutes of 
 using Edit = std::variant<Crop, PlaneCut, LassoCut, RemovePiece, KeepPiece, RemoveSmallPieces,
                           RemoveHolder, Stroke, TissueTable>;
 
+/// Bytes of the longest text that is read: kMostCuts cuts have less, each on a way of its own.
+inline constexpr std::size_t kLongestText = 1 << 26;
+/// Of a table. Its text is shorter then.
+inline constexpr std::size_t kMostParts = 256, kMostRuns = 1 << 22;
 /// One line of JSON; numbers so that reading gives the same double.
 std::string textOf(const Edit& edit);
-/// Refuses text that textOf() did not write, and numbers out of range; reason "damaged".
+/// Refuses text that textOf() did not write, longer text, and numbers out of range; reason
+/// "damaged".
 haptics::Expected<Edit> editFrom(std::string_view text);
 
 }  // namespace datasets

@@ -297,6 +297,13 @@ haptics::Expected<std::shared_ptr<const haptics::Volume>> EditHistory::State::ap
     const Edit& edit, const EditWatch& watch) {
   if (steps.size() >= kMostSteps)
     return editRefused({"edit-too-many", {std::to_string(kMostSteps)}}, "too-many");
+  // a view or recording with it could not be read again
+  if (const auto* table = std::get_if<TissueTable>(&edit)) {
+    std::size_t runs = 0;
+    for (const TissueTable::Part& part : table->parts()) runs += part.runs.size();
+    if (table->parts().size() > kMostParts || runs > kMostRuns)
+      return editRefused({"edit-too-long", {}}, "too-large");
+  }
   Draft draft{*present, nullptr, touched, digest};
   ChangedBoxes changed{scan->grid};
   Journal journal;

@@ -12,8 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestText = 1 << 24;  // bytes; most cuts have less
-constexpr int kMostParts = 256;
 constexpr std::int64_t kMostAlong = 1 << 20;  // voxels: a product of three fits in 64 bits
 constexpr double kFarthest = 1e4;             // m, or a tangent
 constexpr double kSkew = 1e-6;                // of unit vectors and rotations that were rounded

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -29,14 +30,16 @@ inline const Edited* editedOf(const haptics::Volume& volume) {
 /// Boxes that hold all voxels that strokes took away from a volume's scan.
 std::vector<haptics::VoxelBox> boxesOfStrokes(const haptics::Volume& volume);
 
-/// What it takes to cut structures of a volume; null: what its values say.
-inline const TissueTable* tissuesIn(const haptics::Volume& volume) {
-  const Edited* edited = editedOf(volume);
-  if (edited == nullptr) return nullptr;
+/// What it takes to cut structures after these edits; null: what the scan's values say.
+inline const TissueTable* tissuesIn(std::span<const Edit> edits) {
   const TissueTable* last = nullptr;
-  for (const Edit& edit : edited->edits)
+  for (const Edit& edit : edits)
     if (const auto* table = std::get_if<TissueTable>(&edit)) last = table;
   return last;
+}
+inline const TissueTable* tissuesIn(const haptics::Volume& volume) {
+  const Edited* edited = editedOf(volume);
+  return edited != nullptr ? tissuesIn(edited->edits) : nullptr;
 }
 
 }  // namespace datasets

@@ -32,11 +32,12 @@ void restore(lanes::RowOfVoxels<Real>& voxels, std::int64_t first, std::int64_t 
 }  // namespace
 
 bool isPossible(const BurrCut& cut) {
-  constexpr double kFarthest = 1e4;  // m: as far as any scan lies
+  constexpr double kFarthest = 1e4;       // m: as far as any scan lies
+  constexpr double kMostIsovalue = 1e38;  // a float
   // false for what is no number, too
-  return cut.from_W.norm() < kFarthest && cut.to_W.norm() < kFarthest && cut.radius > 0.0 &&
-         cut.radius < kLargestBurr && (cut.to_W - cut.from_W).norm() < cut.radius &&
-         std::isfinite(cut.isovalue);
+  return cut.from_W.norm() < kFarthest && cut.to_W.norm() < kFarthest &&
+         cut.radius >= kSmallestBurr && cut.radius < kLargestBurr &&
+         (cut.to_W - cut.from_W).norm() < cut.radius && std::abs(cut.isovalue) <= kMostIsovalue;
 }
 
 PartOfVoxel::PartOfVoxel(const Volume& volume, const BurrCut& cut) HAPTICS_RT
@@ -109,7 +110,7 @@ lanes::BallAtRow<Real> BurrCarving::ball(const WallProfile& profile,
           .bias = real(kBias / radius_),
           .isovalue = real(isovalue_),
           .slope = real(profile.slope()),
-          .rise = real(profile.steepest() - profile.slope()),
+          .rise = real(profile.rise()),
           .straight = real(WallProfile::kStraight),
           .background = real(background_),
           .back = real(-profile.back()),

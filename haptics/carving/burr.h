@@ -27,11 +27,11 @@ struct BurrCut {
   bool operator==(const BurrCut&) const = default;
 };
 
-inline constexpr double kLargestBurr = 0.02;  ///< m: radius
+inline constexpr double kSmallestBurr = 1e-4, kLargestBurr = 0.02;  ///< m: radius
 /// Teeth of a burr; cutting burrs have some 6 to 12.
 inline constexpr int kBurrTeeth = 8;
-/// Whether a burr makes such a cut: finite, in reach of a scan, on a way shorter than its radius. A
-/// cut that was read from a file may be another.
+/// Whether a burr makes such a cut: finite, in reach of a scan, of a burr that there is, on a way
+/// shorter than its radius. A cut that was read from a file may be another.
 bool isPossible(const BurrCut& cut);
 
 /// How much of a voxel is solid, by its value: from 0 to 1 along the line of the wall's profile, so

@@ -14,6 +14,7 @@ namespace haptics {
 struct VoxelRun {
   std::int32_t i = 0, j = 0, k = 0;  ///< its first voxel
   std::int32_t count = 0;
+  bool operator==(const VoxelRun&) const = default;
 };
 
 /// What becomes of one row of voxels.

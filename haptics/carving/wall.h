@@ -53,7 +53,13 @@ class WallProfile {
   /// Per voxel, at the wall.
   double slope() const { return slope_; }
   /// Per voxel, the most anywhere on the side that is cut away from.
-  double steepest() const { return slope_ + rise_; }
+  double steepest() const {
+    // where the line ends before the background, beyond kMostBack voxels
+    const double step = std::max(0.0, isovalue_ - background_ - slope_ * back_);
+    return slope_ + std::max(rise_, step);
+  }
+  /// Per voxel, what is added beyond kStraight voxels behind the wall.
+  double rise() const { return rise_; }
 
   /// A row along which the distance is at(i) = at_zero + i step, for first <= i < end.
   void cutLinear(std::int64_t first, std::int64_t end, double at_zero, double step,

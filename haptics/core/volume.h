@@ -45,6 +45,11 @@ struct VoxelBox {
   bool operator==(const VoxelBox&) const = default;
 };
 inline bool isEmpty(const VoxelBox& box) { return box.end[0] <= box.first[0]; }
+inline std::int64_t voxelsIn(const VoxelBox& box) {
+  std::int64_t count = isEmpty(box) ? 0 : 1;
+  for (std::size_t a = 0; a < 3; ++a) count *= box.end[a] - box.first[a];
+  return count;
+}
 /// The least box that holds two boxes, each of which may be empty.
 VoxelBox joined(const VoxelBox& one, const VoxelBox& other);
 /// Adds a box to those of a way through a volume: it joins the last one as long as that has no side

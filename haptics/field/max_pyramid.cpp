@@ -555,15 +555,17 @@ VoxelBox MaxPyramid::blocksAround(const VoxelBox& voxels, FieldKind kind) const 
   return grown(blocksOver(voxels, kind, levels_[0].blocks), 1, levels_[0].blocks);
 }
 
-void MaxPyramid::raise(std::int64_t block, double steepest, float& raised) HAPTICS_RT {
-  const double slope = steepest * per_spacing_.norm(), before = raised;
-  if (!(slope > before)) return;
+bool MaxPyramid::raise(std::int64_t block, double steepest, float& raised) HAPTICS_RT {
+  const float slope = roundedUp(steepest * per_spacing_.norm());
+  const double before = raised;
+  if (!(slope > raised)) return false;
   // Along each axis the greatest difference is now at most the greater of the two; the constant is
   // the norm of those of the axes, and not the greater of two norms.
   float& lipschitz = finest_[static_cast<std::size_t>(block)].lipschitz;
-  lipschitz = roundedUp(std::sqrt(double{lipschitz} * lipschitz + slope * slope - before * before));
-  raised = static_cast<float>(slope);
-  if (double{raised} > slope) raised = std::nextafter(raised, 0.0F);
+  lipschitz =
+      roundedUp(std::sqrt(double{lipschitz} * lipschitz + double{slope} * slope - before * before));
+  raised = slope;
+  return true;
 }
 
 namespace {

@@ -47,8 +47,9 @@ class MaxPyramid {
   VoxelBox blocksAround(const VoxelBox& voxels, FieldKind kind) const HAPTICS_RT;
   /// Raises the Lipschitz constant of a finest block for voxels that are lowered next: two
   /// neighbours then differ by no more than before, or than `steepest`. `raised`: by which it was
-  /// raised since it was last exact, 0 if it is; it must be kept for each block.
-  void raise(std::int64_t block, double steepest, float& raised) HAPTICS_RT;
+  /// raised since it was last exact, 0 if it is; it must be kept for each block. Returns whether it
+  /// raised it.
+  bool raise(std::int64_t block, double steepest, float& raised) HAPTICS_RT;
   /// Finds the bounds of a finest block anew. Returns false, and changes nothing, where it meets
   /// the faces of the volume.
   bool renew(const Volume& volume, FieldKind kind, std::int64_t block) HAPTICS_RT;

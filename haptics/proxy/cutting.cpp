@@ -20,6 +20,7 @@ constexpr double kLearning = 0.05;
 constexpr double kOnBurr = 2e-6;      // m: a shell's point so far beyond the ball is not on it
 constexpr double kSmoothing = 0.005;  // s, of the device's velocity, the drag, the vibration
 constexpr double kNoForce = 1e-9;     // N
+constexpr double kLifted = 5e-3;      // s without force: no bounce, the way has ended
 constexpr double kFullDrag = 0.1;     // m/s along the surface from which the drag is whole
 constexpr double kMostFelt = 250.0;   // Hz: of a vibration
 constexpr double kOfRate = 0.25;      // of the rate of ticks: the highest that they render
@@ -44,8 +45,9 @@ void Cutting::lookAhead() {
 }
 
 void Cutting::forget() HAPTICS_RT {
+  begun_.reset();
   removed_ = {};
-  owed_ = standoff_ = 0.0;
+  owed_ = standoff_ = untouched_ = 0.0;
   last_W_.reset();
   forgetHand();
 }
@@ -59,6 +61,10 @@ void Cutting::forgetHand() HAPTICS_RT {
 
 void Cutting::make(const BurrCut& cut) {
   carved_->begin(cut);
+  finish();
+}
+
+void Cutting::finish() {
   while (!carved_->isDone()) {
     Budget budget = Budget::counted(1'000'000);
     carved_->advance(law_.material, 1'000'000, budget);
@@ -72,6 +78,12 @@ Vec3 Cutting::pressOn(const Proxy& proxy) const HAPTICS_RT {
   for (const BearingContact& contact : proxy.bearing)
     if ((contact.r_W - c_W).squaredNorm() <= reach * reach) press += contact.push * contact.n_W;
   return press;
+}
+
+void Cutting::settle() {
+  finish();
+  carved_->rest();
+  carved_->refresh(SIZE_MAX);
 }
 
 // The ball that is cut lies ahead of the proxy's: by the stand-off, as the tool rests a little
@@ -148,10 +160,9 @@ Wrench Cutting::go(bool held, Proxy& proxy, const Pose& X_WD, double isovalue, d
   const bool drags = held || !drag_W_.isZero(0.0);
   Vec3 felt = drags ? dragFor(press, X_WD, period) : Vec3::Zero();
   if (law_.vibration > 0.0) felt += vibrationFor(press, period);
-  if (!held) {
-    last_W_.reset();
-    owed_ = std::min(owed_, 0.0);
-  }
+  untouched_ = force_ > 0.0 ? 0.0 : untouched_ + period;
+  if (!held || untouched_ > kLifted) last_W_.reset();
+  if (!held) owed_ = std::min(owed_, 0.0);
   owed_ += law_.share * force_ * law_.speed * law_.burr.radius * period;
   if (carved_->isDone() && force_ > 0.0) begin(press, proxy.X_WP * law_.burr.centre_P, isovalue);
   const Removed now = carved_->advance(law_.material, kCutWork, budget);

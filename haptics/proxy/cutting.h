@@ -75,6 +75,11 @@ class Cutting {
   /// Carries out a cut that was made before, whole. Before the first tick; not for the servo
   /// thread.
   void make(const BurrCut& cut);
+  /// Carries the cut under way to its end, and has exact bounds, as after ticks without a cut. Not
+  /// for the servo thread.
+  void settle();
+  /// A tick in which nothing is touched: no cut goes on.
+  void skip() HAPTICS_RT { begun_.reset(); }
   /// Forgets the hand, the debt, the stand-off and what was removed, as Proxy::forget() does what
   /// the proxy found. A cut under way goes on.
   void forget() HAPTICS_RT;
@@ -91,6 +96,7 @@ class Cutting {
   Vec3 dragFor(const Vec3& press_W, const Pose& X_WD, double period) HAPTICS_RT;
   Vec3 vibrationFor(const Vec3& press_W, double period) HAPTICS_RT;
   void forgetHand() HAPTICS_RT;
+  void finish();
 
   std::unique_ptr<CarvedScene> carved_;
   std::unique_ptr<PagesAhead> ahead_;  ///< null: pages are copied when they are written
@@ -99,6 +105,7 @@ class Cutting {
   /// J that the law has given and cuts have not taken yet; below 0 they took more.
   double owed_ = 0.0;
   double standoff_ = 0.0;       ///< m: of the tool before the surface that it rests on
+  double untouched_ = 0.0;      ///< s
   std::optional<Vec3> last_W_;  ///< where the last cut ended; none: the next begins anew
   std::optional<BurrCut> begun_;
   double force_ = 0.0;

@@ -54,41 +54,58 @@ bool CarvedScene::isWithinRaised(const VoxelBox& blocks) const HAPTICS_RT {
   return true;
 }
 
-void CarvedScene::raiseAround(const VoxelBox& voxels) HAPTICS_RT {
-  MaxPyramid& pyramid = field_->pyramid();
+void CarvedScene::begin(const BurrCut& cut) HAPTICS_RT {
+  cut_ = cut;
+  carving_ = BurrCarving{*scene_->volume, cut};
+  if (carving_.isDone()) return;
+  const MaxPyramid& pyramid = field_->pyramid();
   const auto& counts = pyramid.finestCounts();
-  VoxelBox blocks = pyramid.blocksAround(voxels, field_->kind());
+  VoxelBox blocks = pyramid.blocksAround(carving_.box(), field_->kind());
   const double steepest = carving_.steepest();
   if (steepest <= raised_by_ && isWithinRaised(blocks)) return;
-  // a block more on each side, so that a burr that moves on does not come here again at once
+  // a block more on each side, so that a burr that moves on need not raise at once again
   for (std::size_t axis = 0; axis < 3; ++axis) {
     blocks.first[axis] = std::max<std::int64_t>(0, blocks.first[axis] - 1);
     blocks.end[axis] = std::min(counts[axis], blocks.end[axis] + 1);
   }
-  for (std::int64_t k = blocks.first[2]; k < blocks.end[2]; ++k)
-    for (std::int64_t j = blocks.first[1]; j < blocks.end[1]; ++j)
-      for (std::int64_t i = blocks.first[0]; i < blocks.end[0]; ++i) {
-        const std::int64_t block = (k * counts[1] + j) * counts[0] + i;
-        float& raised = raised_[static_cast<std::size_t>(block)];
-        const bool was_exact = raised == 0.0F;
-        pyramid.raise(block, steepest, raised);
-        if (!was_exact) continue;
-        waiting_[(first_ + count_++) % waiting_.size()] = static_cast<std::uint32_t>(block);
-      }
-  raised_box_ = blocks;
-  raised_by_ = steepest;
+  raising_ = Raising{blocks, steepest, blocks.first[1], blocks.first[2]};
 }
 
-void CarvedScene::begin(const BurrCut& cut) HAPTICS_RT {
-  cut_ = cut;
-  carving_ = BurrCarving{*scene_->volume, cut};
-  // before any voxel changes
-  if (!carving_.isDone()) raiseAround(carving_.box());
+std::int64_t CarvedScene::raiseRow() HAPTICS_RT {
+  Raising& now = *raising_;
+  MaxPyramid& pyramid = field_->pyramid();
+  const auto& counts = pyramid.finestCounts();
+  std::int64_t work = 1 + (now.blocks.end[0] - now.blocks.first[0]) / 4;
+  for (std::int64_t i = now.blocks.first[0]; i < now.blocks.end[0]; ++i) {
+    const std::int64_t block = (now.k * counts[1] + now.j) * counts[0] + i;
+    float& raised = raised_[static_cast<std::size_t>(block)];
+    const bool was_exact = raised == 0.0F;
+    work += pyramid.raise(block, now.steepest, raised);
+    if (was_exact)
+      waiting_[(first_ + count_++) % waiting_.size()] = static_cast<std::uint32_t>(block);
+  }
+  if (++now.j == now.blocks.end[1]) {
+    now.j = now.blocks.first[1];
+    ++now.k;
+  }
+  if (now.k == now.blocks.end[2]) {
+    raised_box_ = now.blocks;
+    raised_by_ = now.steepest;
+    raising_.reset();
+  }
+  return work;
 }
 
 Removed CarvedScene::advance(const Material& material, std::int64_t work,
                              Budget& budget) HAPTICS_RT {
+  // before any voxel changes
+  while (work > 0 && raising_ && budget.left()) {
+    const std::int64_t of_row = raiseRow();
+    work -= of_row;
+    budget.spend(of_row);
+  }
   Removed removed;
+  if (raising_) return removed;
   const std::int64_t of_row = 1 + carving_.voxelsInRow() / 12;
   for (; work > 0 && !carving_.isDone() && budget.left(); work -= of_row) {
     removed.add(carving_.lowerRow(voxels_.get(), scan_->voxels.get(), material));
@@ -113,6 +130,7 @@ void CarvedScene::drop(Contacts& contacts, const Vec3& tool_W) const HAPTICS_RT 
 }
 
 std::size_t CarvedScene::refresh(std::size_t blocks) HAPTICS_RT {
+  if (raising_) return count_;  // what was raised already must stay
   const auto& counts = field_->pyramid().finestCounts();
   for (blocks = std::min(blocks, count_); blocks > 0; --blocks) {
     const std::uint32_t block = waiting_[first_];

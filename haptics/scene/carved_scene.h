@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "haptics/carving/burr.h"
@@ -36,12 +37,13 @@ class CarvedScene {
 
   /// Begins a cut; the one before must be done.
   void begin(const BurrCut& cut) HAPTICS_RT;
-  /// Goes on with it for so many units of work while there is budget. Returns what was removed.
+  /// Goes on with it, its bounds first, for so many units of work while there is budget. Returns
+  /// what was removed.
   Removed advance(const Material& material, std::int64_t work, Budget& budget) HAPTICS_RT;
   /// Drops contacts, of a tool with its origin there, whose cells the cut may have changed: the
   /// tool would hang on what is gone.
   void drop(Contacts& contacts, const Vec3& tool_W) const HAPTICS_RT;
-  bool isDone() const HAPTICS_RT { return carving_.isDone(); }
+  bool isDone() const HAPTICS_RT { return !raising_ && carving_.isDone(); }
   /// Finds the bounds of up to so many blocks anew. Where it was cut last they stay as high as the
   /// next cut may need. Returns how many blocks have bounds that are not exact.
   std::size_t refresh(std::size_t blocks) HAPTICS_RT;
@@ -50,7 +52,14 @@ class CarvedScene {
 
  private:
   CarvedScene() = default;
-  void raiseAround(const VoxelBox& voxels) HAPTICS_RT;
+  /// Bounds that a cut needs before its first voxel changes.
+  struct Raising {
+    VoxelBox blocks;
+    double steepest = 0.0;      ///< value a voxel
+    std::int64_t j = 0, k = 0;  ///< the next row of blocks
+  };
+  /// Raises a row of blocks. Returns the units of work.
+  std::int64_t raiseRow() HAPTICS_RT;
   bool isWithinRaised(const VoxelBox& blocks) const HAPTICS_RT;
 
   std::shared_ptr<const Scene> scene_;
@@ -58,6 +67,7 @@ class CarvedScene {
   std::shared_ptr<const Volume> scan_;  ///< as it was before the first cut
   std::shared_ptr<ScalarField> field_;  ///< the scene's
   BurrCarving carving_;
+  std::optional<Raising> raising_;      ///< none: all is raised for the cut
   BurrCut cut_;                         ///< the one that `carving_` carries out
   std::vector<float> raised_;           ///< of each finest block, as of MaxPyramid::raise()
   std::vector<std::uint32_t> waiting_;  ///< blocks to be made exact, a ring with room for each

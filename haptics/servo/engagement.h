@@ -88,9 +88,13 @@ class SceneHandOver {
   /// place of what did, which must not have cut. Its voxels and bounds are those of the scene, so
   /// the proxy knows nothing wrong.
   void takeCutting() HAPTICS_RT {
-    // what did not fit goes back for it, to be destroyed there
-    if (cutting_.load(std::memory_order_relaxed) != nullptr)
-      waiting_ = cutting_.exchange(waiting_, std::memory_order_acq_rel);
+    if (cutting_.load(std::memory_order_relaxed) != nullptr &&
+        (waiting_ == nullptr || cutting_left_.load(std::memory_order_acquire) == nullptr)) {
+      // what did not fit is destroyed by collect()
+      Cutting* const misfit =
+          std::exchange(waiting_, cutting_.exchange(nullptr, std::memory_order_acq_rel));
+      if (misfit != nullptr) cutting_left_.store(misfit, std::memory_order_release);
+    }
     if (waiting_ == nullptr || current_ == nullptr || waiting_->scene()->id != current_->scene->id)
       return;
     if (current_->cutting && cutting_left_.load(std::memory_order_acquire) != nullptr) return;
@@ -101,9 +105,17 @@ class SceneHandOver {
     current_->scene = current_->cutting->scene();
     if (left != nullptr) cutting_left_.store(left, std::memory_order_release);
   }
-  /// What cuts in the present engagement, or null; when the servo thread has ended.
-  std::unique_ptr<Cutting> release() {
-    return current_ == nullptr ? nullptr : std::move(current_->cutting);
+  /// When the servo thread has ended: what cuts in a scene, or was offered for it last; null:
+  /// nothing does.
+  std::unique_ptr<Cutting> release(std::uint64_t scene) {
+    std::unique_ptr<Cutting> offered{cutting_.exchange(nullptr)};
+    std::unique_ptr<Cutting> waiting{std::exchange(waiting_, nullptr)};
+    Engagement* const next = next_.load();
+    for (std::unique_ptr<Cutting>* one :
+         {&offered, &waiting, current_ == nullptr ? nullptr : &current_->cutting,
+          next == nullptr ? nullptr : &next->cutting})
+      if (one != nullptr && *one && (*one)->scene()->id == scene) return std::move(*one);
+    return nullptr;
   }
   /// Servo thread: the present engagement, or null.
   Engagement* current() HAPTICS_RT { return current_; }
@@ -111,7 +123,7 @@ class SceneHandOver {
  private:
   std::atomic<Engagement*> next_{nullptr};
   std::atomic<Engagement*> left_{nullptr};
-  std::atomic<Cutting*> cutting_{nullptr};  ///< offered, or given back
+  std::atomic<Cutting*> cutting_{nullptr};  ///< offered
   std::atomic<Cutting*> cutting_left_{nullptr};
   Cutting* waiting_ = nullptr;  ///< the servo thread's: of a scene that it has not adopted
   Engagement* current_ = nullptr;

@@ -146,17 +146,20 @@ void ServoLoop::judgeCut(Period& period, std::int64_t now) HAPTICS_RT {
   const bool down = now < until || pressed;
   constexpr auto kUnsure = static_cast<std::uint16_t>(
       StepFlags::kAdopted | StepFlags::kLost | StepFlags::kSilent | StepFlags::kNotReady |
-      StepFlags::kGap | StepFlags::kTooFast | StepFlags::kJumped | StepFlags::kStalled);
-  if (period.has(kUnsure) || safety_.state() == ForceState::Fault ||
+      StepFlags::kGap | StepFlags::kTooFast | StepFlags::kJumped | StepFlags::kStalled |
+      StepFlags::kClutched | StepFlags::kLetGo);
+  // nobody cuts what he does not feel
+  const bool felt = safety_.state() == ForceState::On || safety_.state() == ForceState::Ramping;
+  if (period.has(kUnsure) || !period.has(StepFlags::kArmed) || !felt ||
       cut_rests.load(std::memory_order_relaxed))
     may_cut_ = false;
   else if (until == 0 && !pressed)
     may_cut_ = true;
-  // nobody cuts what he does not feel
-  const bool felt = safety_.state() == ForceState::On || safety_.state() == ForceState::Ramping;
+  // what is recorded has every cut
   const bool able = period.engaged != nullptr && period.engaged->cutting != nullptr &&
-                    cuts.size_approx() < kMostCuts / 2;
-  period.raise(StepFlags::kCut, down && may_cut_ && felt && able);
+                    cuts.size_approx() < kMostCuts / 2 &&
+                    (period.ring == nullptr || period.ring->hasRoom());
+  period.raise(StepFlags::kCut, down && may_cut_ && able);
 }
 
 void ServoLoop::step(double time, std::int64_t now) HAPTICS_RT {

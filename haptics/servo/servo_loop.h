@@ -116,7 +116,7 @@ class ServoLoop {
   Period takeWishes(std::int64_t now) HAPTICS_RT;
   void readDevice(Period& period, std::int64_t now) HAPTICS_RT;
   /// Whether the burr turns: its key or button is held, was released since the last start, scene,
-  /// rest, gap or fault, the force is on, and somebody takes the cuts.
+  /// rest, gap or fault, the force is on, and somebody takes the cuts and steps.
   void judgeCut(Period& period, std::int64_t now) HAPTICS_RT;
   ServoResult feel(Period& period, Budget& budget) HAPTICS_RT;
   void push(const Wrench& sent_W, const Period& period) HAPTICS_RT;

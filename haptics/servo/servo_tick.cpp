@@ -63,6 +63,8 @@ ServoResult servoTick(const ServoInput& input, const Scene* scene, Proxy* proxy,
                                           input.settings.isovalue, period, budget);
     result.tick.wrench_W.force += drag.force;
     result.tick.wrench_W.torque += drag.torque;
+  } else if (input.cutting != nullptr) {
+    input.cutting->skip();
   }
   const Wrench wanted = input.hook == nullptr
                             ? result.tick.wrench_W

@@ -56,6 +56,8 @@ class StepRing {
     lost_ = true;
     return false;
   }
+  /// Whether push() would keep a step.
+  bool hasRoom() const HAPTICS_RT { return !lost_ && !full(); }
   bool full() const HAPTICS_RT { return steps_.size_approx() >= capacity_; }
   std::int64_t begun() const HAPTICS_RT { return begun_ns_; }
   std::size_t capacity() const { return capacity_; }  ///< steps

@@ -41,6 +41,10 @@ inline constexpr Row kScenes[] = {
      "There is too little memory to feel a structure as solid or not there; close other programs.",
      "too-large"},
     {"edit-too-many", "The scan has %1 edits, and no more are kept; reset some first.", "too-many"},
+    {"edit-too-long",
+     "These structures have too many parts for a choice of how they are cut; choose for fewer of "
+     "them, or for smoother ones.",
+     "too-large"},
     {"edit-no-such", "There is no edit to undo or redo.", "nothing"},
     {"scene-no-volume", "There is nothing to touch yet; open a volume.", "nothing-inside"},
     {"tool-no-points", "The tool has no points; a tool needs at least one.", "no-triangle"},

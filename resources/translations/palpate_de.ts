@@ -1835,6 +1835,10 @@
         <source>The structures that may not be cut are those of another scan; open this one&apos;s again.</source>
         <translation>Die Strukturen, die nicht geschnitten werden dürfen, sind die einer anderen Aufnahme; öffnen Sie die dieser Aufnahme noch einmal.</translation>
     </message>
+    <message>
+        <source>These structures have too many parts for a choice of how they are cut; choose for fewer of them, or for smoother ones.</source>
+        <translation>Diese Strukturen haben zu viele Teile für eine Wahl, wie sie geschnitten werden; wählen Sie für weniger von ihnen oder für glattere.</translation>
+    </message>
 </context>
 <context>
     <name>QMessageBox</name>

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <thread>
 
+#include "datasets/edits/edit_history.h"
 #include "datasets/phantoms/sampling.h"
 #include "haptics/proxy/cutting.h"
 #include "haptics/session.h"
@@ -565,6 +567,43 @@ struct HeldBurr : Held {
   haptics::Cutting* cutting = nullptr;
 };
 
+TEST(Hazards, NoCutIsLostWhereARecordingLosesSteps) {
+  HeldBurr held;
+  held.press();
+  held.releaseAndHold();
+  std::vector<haptics::BurrCut> cuts;
+  std::uint64_t steps = 0;
+  const auto take = [&] {
+    for (haptics::Step step; held.ring.take(step); ++steps)
+      if (step.cut) cuts.push_back(*step.cut);
+  };
+  const auto stepsUnrecorded = [&](int n) {  // the window takes the cuts
+    for (; n > 0; n -= 1000) {
+      held.steps(std::min(n, 1000));
+      for (haptics::BurrCut cut; held.loop->cuts.try_dequeue(cut);) {
+      }
+    }
+  };
+  take();
+  EXPECT_TRUE(held.snapshot().cuts);
+  stepsUnrecorded(3 * static_cast<int>(held.ring.capacity()));
+  EXPECT_FALSE(held.snapshot().cuts);
+  take();
+  held.steps(100);
+  EXPECT_TRUE(held.snapshot().cuts);
+  held.key(false);
+  held.steps(200);
+  take();
+  EXPECT_LT(steps, held.ring.numbered());
+  const auto made = datasets::edited(held.stage.scene->volume,
+                                     std::vector<datasets::Edit>{datasets::Stroke{cuts}});
+  ASSERT_TRUE(made);
+  const haptics::Volume& left = *held.cutting->scene()->volume;
+  EXPECT_EQ(std::memcmp((*made)->voxels.get(), left.voxels.get(),
+                        std::size_t(left.grid.voxelCount()) * haptics::sizeOf(left.type)),
+            0);
+}
+
 TEST(Hazards, ABurrTurnsOnlyWhileItsKeyIsHeldAndWasReleasedBefore) {
   HeldBurr held;
   // held since before the start
@@ -612,10 +651,30 @@ TEST(Hazards, ABurrTurnsOnlyWhileItsKeyIsHeldAndWasReleasedBefore) {
     EXPECT_FALSE(held.turns());
     held.key(false);
   });
+  ends("force off", [&] {
+    held.loop->armed = false;
+    held.steps(5);
+  });
+  ends("clutch", [&] {
+    held.handling.clutch = true;
+    held.loop->handling.publish(held.handling);
+    held.steps(50);
+    held.handling.clutch = false;
+    held.loop->handling.publish(held.handling);
+  });
   ends("gap", [&] { held.step(6'000'000); });
   ends("not ready", [&] {
+    // right after a cut was begun: it is told once
+    haptics::Step last;
+    for (int n = 0; n < 1000 && !last.cut; ++n) {
+      held.steps(1);
+      while (held.ring.take(last)) {
+      }
+    }
+    EXPECT_TRUE(last.cut);
     held.device->status = DeviceStatus::NotReady;
     held.steps(3);
+    while (held.ring.take(last)) EXPECT_FALSE(last.cut);
     held.device->status = DeviceStatus::Ok;
   });
   ends("silent", [&] {

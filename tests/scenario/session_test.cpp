@@ -342,6 +342,13 @@ TEST(Session, LetsNothingCutInAnotherScene) {
   ASSERT_TRUE(milling.until([&] { return before.expired(); }, false));
   EXPECT_FALSE(after.expired());
   EXPECT_TRUE(milling.snapshot.can_cut);
+  // one that no tick has taken yet goes to the next hand, as often as there is one
+  const auto last = given();
+  for (int n = 0; n < 3; ++n)
+    ASSERT_TRUE(session.open(haptics::HandKind::Mouse, MillingMouse::kAbove));
+  EXPECT_FALSE(last.expired());
+  milling.snapshot = {};
+  EXPECT_TRUE(milling.until([&] { return milling.snapshot.can_cut; }, false));
 }
 
 }  // namespace

@@ -217,9 +217,7 @@ void CarvedPart::tintFor(double isovalue) {
     }
     box = haptics::joined(box, one);
   }
-  std::int64_t voxels = 1;
-  for (std::size_t a = 0; a < 3; ++a) voxels *= box.end[a] - box.first[a];
-  if (voxels > kMostVoxels) return tint_->forget();
+  if (haptics::voxelsIn(box) > kMostVoxels) return tint_->forget();
   if (box != tinted_box_ || !tint_->isOn()) tint_->show(*scan_, box);
   tinted_box_ = box;
   // of a scan with a few values that are far off, less than a step is no difference

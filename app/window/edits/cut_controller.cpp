@@ -230,18 +230,20 @@ void CutController::tellSound() {
 }
 
 void CutController::takeCuts() {
-  std::array<haptics::BurrCut, kCutsAtOnce> cuts;
+  // first, as more come while these are carried out
+  std::vector<haptics::BurrCut> cuts;
+  std::array<haptics::BurrCut, kCutsAtOnce> some;
+  while (const std::size_t count = shared_.session.cuts(some))
+    cuts.insert(cuts.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
+  if (!live_) return;  // of a scene that is gone with all that was cut in it
   std::vector<haptics::VoxelBox> changed;
-  while (const std::size_t count = shared_.session.cuts(cuts)) {
-    if (!live_) continue;  // of a scene that is gone with all that was cut in it
-    for (std::size_t n = 0; n < count; ++n) {
-      const auto done = live_->carve(cuts[n]).value();  // its view is open: nothing is refused
-      haptics::add(done.box, changed);
-      removed_.add(done.removed);
-      stroke_.push_back(cuts[n]);
-      cut_ = true;
-      if (stroke_.size() == datasets::kMostCuts) endStroke();
-    }
+  for (const haptics::BurrCut& cut : cuts) {
+    const auto done = live_->carve(cut).value();  // its view is open: nothing is refused
+    haptics::add(done.box, changed);
+    removed_.add(done.removed);
+    stroke_.push_back(cut);
+    cut_ = true;
+    if (stroke_.size() == datasets::kMostCuts) endStroke();
   }
   if (changed.empty()) return;
   for (const haptics::VoxelBox& box : changed) {

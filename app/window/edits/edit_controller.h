@@ -64,7 +64,10 @@ class EditController : public QObject {
   /// Whether one of them is not on view yet.
   bool hasStrokes() const { return jobs_.hasStrokes(); }
   /// What it takes to cut structures.
-  void setTissues(const datasets::TissueTable& table) { want({EditQueue::Step::Apply, {table}}); }
+  void setTissues(const datasets::TissueTable& table) {
+    if (replaying_) return emit failed();
+    want({EditQueue::Step::Apply, {table}});
+  }
   /// Takes the last edit back, or makes it again.
   void undo() { want({EditQueue::Step::Undo}); }
   void redo() { want({EditQueue::Step::Redo}); }

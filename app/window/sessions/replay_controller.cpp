@@ -40,11 +40,6 @@ haptics::Snapshot snapshotOf(const haptics::Step& step, std::uint32_t scene) {
   return snapshot;
 }
 
-std::uint64_t digestOf(const ui::Picture& picture) {
-  const auto* edited = picture.volume ? datasets::editedOf(*picture.volume) : nullptr;
-  return edited != nullptr ? edited->digest : 0;
-}
-
 /// What tells the volume that was touched from the one on view, which is another.
 QString differenceOf(const haptics::Volume& touched, const haptics::Volume& here) {
   const QString then = geometryWords(touched.grid, touched.type);
@@ -133,7 +128,7 @@ void ReplayController::begin(std::unique_ptr<Replay> replay) {
   emit forcesCleared();
   if (shared_.shown) {
     on_view_ = shared_.shown->picture;
-    edits_ = digestOf(on_view_);
+    edits_ = MadeOfScan::of(on_view_);
     shared_.identity.seek(shared_.shown->volume());
   }
   readCuts();
@@ -186,14 +181,26 @@ void ReplayController::showScene() {
   scene_.reset();
   editor_.abandon();
   on_view_ = shared_.shown->picture;
-  edits_ = digestOf(on_view_);
+  edits_ = MadeOfScan::of(on_view_);
   shared_.identity.seek(shared_.shown->volume());
   show(shown_to_);
 }
 
+ReplayController::MadeOfScan ReplayController::MadeOfScan::of(
+    std::uint64_t digest, std::span<const datasets::Edit> edits) {
+  MadeOfScan made{digest};
+  if (const auto* tissues = datasets::tissuesIn(edits)) made.tissues = *tissues;
+  return made;
+}
+
+ReplayController::MadeOfScan ReplayController::MadeOfScan::of(const ui::Picture& picture) {
+  const auto* edited = picture.volume ? datasets::editedOf(*picture.volume) : nullptr;
+  return edited != nullptr ? of(edited->digest, edited->edits) : MadeOfScan{};
+}
+
 void ReplayController::showOnView(const EditedScan& edited) {
   editor_.abandon();
-  edits_ = digestOf(edited.picture);
+  edits_ = MadeOfScan::of(edited.picture);
   if (on_view_.volume == edited.picture.volume) return;
   on_view_ = edited.picture;
   cuts_.forget();
@@ -203,10 +210,11 @@ void ReplayController::showOnView(const EditedScan& edited) {
 }
 
 void ReplayController::showEdits(const RecordedScene& then) {
-  if (then.edits_digest == edits_) return;
-  if (then.edits_digest == digestOf(shared_.shown->picture))
+  const MadeOfScan wanted = MadeOfScan::of(then.edits_digest, then.edits);
+  if (wanted == edits_) return;
+  if (wanted == MadeOfScan::of(shared_.shown->picture))
     return showOnView({shared_.shown->picture, shared_.shown->seenScene()});
-  edits_ = then.edits_digest;
+  edits_ = wanted;
   editor_.start(
       [then, scan = scanOf(shared_.shown->volume()), live = shared_.shown->scene](
           const background::Watch& watch) -> haptics::Expected<EditedScan> {

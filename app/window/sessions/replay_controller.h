@@ -13,6 +13,7 @@
 #include "app/window/scan/shared_state.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/replayed_cuts.h"
+#include "datasets/edits/edit.h"
 #include "haptics/scene/scene.h"
 #include "ui/panels/replay_bar.h"
 #include "ui/window/loading.h"
@@ -69,6 +70,14 @@ class ReplayController : public QObject {
     ui::Picture picture;
     std::shared_ptr<const haptics::Scene> scene;  ///< its field is what slices and clicks ask
   };
+  /// What edits make of a scan: equal ones make the same volume.
+  struct MadeOfScan {
+    std::uint64_t digest = 0;  ///< of its voxels
+    std::optional<datasets::TissueTable> tissues = {};
+    bool operator==(const MadeOfScan&) const = default;
+    static MadeOfScan of(std::uint64_t digest, std::span<const datasets::Edit> edits);
+    static MadeOfScan of(const ui::Picture& picture);
+  };
   void showOnView(const EditedScan& edited);
   /// Reads what a burr cut in the recording.
   void readCuts();
@@ -88,7 +97,7 @@ class ReplayController : public QObject {
   std::optional<double> isovalue_;      ///< isovalue on view
   double shown_to_ = 0.0;               ///< s: end of the plotted force
   ui::Picture on_view_;                 ///< of the scan, with the edits of the recording
-  std::uint64_t edits_ = 0;             ///< digest of the edits on view, or being prepared
+  MadeOfScan edits_;                    ///< on view, or being prepared
   background::Task<EditedScan> editor_;
   ReplayedCuts cuts_{views_};
   background::Task<std::vector<RecordedCut>> cut_reader_;

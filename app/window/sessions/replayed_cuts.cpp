@@ -15,7 +15,7 @@ haptics::Expected<std::vector<RecordedCut>> ReplayedCuts::read(
 }
 
 bool ReplayedCuts::show(const ui::Picture& on_view, std::uint32_t scene, std::uint64_t sequence) {
-  constexpr std::size_t kAtOnce = 400;  // some 20 ms
+  constexpr std::int64_t kAtOnce = 1'000'000;  // voxels, some 20 ms
   const auto& volume = on_view.volume;
   const auto moved = cuts_.moveTo(volume, scene, sequence, kAtOnce);
   if (!moved) return true;

@@ -394,6 +394,7 @@ void StructuresController::close() {
   places_mm_.clear();
   measurer_.abandon();
   tissue_maker_.abandon();
+  chosen_.reset();
   if (std::exchange(labels_, nullptr)) emit fileChanged({});
   distances_.clear();
   before_alone_.clear();
@@ -450,30 +451,53 @@ void StructuresController::chooseCutting(int number, const ui::StructureCutting&
                                                ? haptics::Tissues::kNever
                                                : now.energy_J_mm3 * kMm3PerM3});
   }
-  if (wanted.empty() && datasets::tissuesIn(*shared_.shown->volume()) == nullptr) return;
+  // of another file's structures: they stay what they are
+  std::vector<datasets::TissueTable::Part> others;
+  const datasets::TissueTable* now = tissues();
+  if (now != nullptr)
+    std::ranges::copy_if(now->parts(), std::back_inserter(others),
+                         [this](const auto& part) { return !isListed(part); });
+  if (wanted.empty() && now == nullptr) return;
   tissue_maker_.start(
-      [labels = labels_, wanted = std::move(wanted)](const background::Watch&)
-          -> haptics::Expected<datasets::TissueTable> { return tissuesOf(*labels, wanted); },
+      [labels = labels_, wanted = std::move(wanted), others = std::move(others)](
+          const background::Watch&) -> haptics::Expected<datasets::TissueTable> {
+        const datasets::TissueTable made = tissuesOf(*labels, wanted);
+        std::vector<datasets::TissueTable::Part> parts = made.parts();
+        parts.insert(parts.end(), others.begin(), others.end());
+        return datasets::TissueTable{made.dims(), std::move(parts)};
+      },
       [this](const haptics::Expected<datasets::TissueTable>& table) {
         if (!table) return messages_.showMessage(sentenceOf(table.error()));
+        chosen_ = *table;
         emit tissuesWanted(*table);
-        // until the edit is there, and if it cannot be made, what holds is what it says
-        showCutting();
       });
+}
+
+void StructuresController::forgetChoice() {
+  chosen_.reset();
+  showCutting();
+}
+
+const datasets::TissueTable* StructuresController::tissues() const {
+  return chosen_ ? &*chosen_ : datasets::tissuesIn(*shared_.shown->volume());
+}
+
+bool StructuresController::isListed(const datasets::TissueTable::Part& part) const {
+  const auto number = static_cast<std::size_t>(part.structure);
+  return number < shown_.looks.size() &&
+         datasets::voxelsOf(part) == labels_->structures()[number].voxels;
 }
 
 void StructuresController::showCutting() {
   if (!shared_.shown || !labels_ || tissue_maker_.isRunning()) return;
+  const datasets::TissueTable* made = datasets::tissuesIn(*shared_.shown->volume());
+  if (chosen_ && made != nullptr && *made == *chosen_) chosen_.reset();
   const std::vector<ui::StructureLook> before = shown_.looks;
   for (ui::StructureLook& look : shown_.looks)
     look.cutting.kind = ui::StructureCutting::Kind::ByValue;
-  if (const datasets::TissueTable* table = datasets::tissuesIn(*shared_.shown->volume()))
+  if (const datasets::TissueTable* table = tissues())
     for (const datasets::TissueTable::Part& part : table->parts()) {
-      // of another file's structures it is shown nowhere
-      if (static_cast<std::size_t>(part.structure) >= shown_.looks.size() ||
-          datasets::voxelsOf(part) !=
-              labels_->structures()[static_cast<std::size_t>(part.structure)].voxels)
-        continue;
+      if (!isListed(part)) continue;
       ui::StructureCutting& cutting =
           shown_.looks[static_cast<std::size_t>(part.structure)].cutting;
       cutting.kind = ui::StructureCutting::Kind::Never;

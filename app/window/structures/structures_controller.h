@@ -65,6 +65,8 @@ class StructuresController : public QObject {
   void sort(const QStringList& paths);
   /// Call it when a scene is on view, or the same after an edit.
   void showScene();
+  /// What the user chose of cutting structures becomes no edit.
+  void forgetChoice();
   /// Call it at display rate: nothing is near once no hand holds the tool.
   void refresh();
   /// Call it when `shared.snapshot` is due in words.
@@ -133,6 +135,10 @@ class StructuresController : public QObject {
   void chooseCutting(int number, const ui::StructureCutting& cutting);
   /// Shows what the edits of the scan on view say of cutting its structures.
   void showCutting();
+  /// What it takes to cut them, or will; null: what the scan's values say.
+  const datasets::TissueTable* tissues() const;
+  /// Whether it is one of the structures at hand, as far as can be told.
+  bool isListed(const datasets::TissueTable::Part& part) const;
   /// Whether one more may be watched; says so if not.
   bool mayWatch(int number);
   /// Makes the distances of the next structure that is watched and has none yet.
@@ -174,6 +180,7 @@ class StructuresController : public QObject {
   ui::NearLimits limits_;
   ui::StructureFeel feel_;  ///< with the numbers that were chosen last
   background::Task<datasets::TissueTable> tissue_maker_;
+  std::optional<datasets::TissueTable> chosen_;  ///< by the user, and not in the volume yet
   background::Task<ui::OpenedAs> sorter_;
   QStringList sorted_;  ///< what the sorter is at; empty: nothing
 };

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Strokes among other edits: what was cut stays cut, and the order is that in which it was done.
 #include <QCheckBox>
+#include <QComboBox>
 #include <QListWidget>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QThread>
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <vector>
 
 #include "app/window/edits/edit_controller.h"
 #include "app/window/sessions/replay.h"
 #include "app/window/sessions/session_recording.h"
+#include "app/window/structures/structures_controller.h"
+#include "datasets/edits/edited.h"
+#include "datasets/readers/nrrd/writer.h"
 #include "haptics/session.h"
 #include "tests/ui/edits/cutting.h"
 #include "tests/ui/views/sphere_in_hand.h"
@@ -26,7 +33,36 @@ namespace {
 
 using window::waitFor;
 
-class CutsAmongEdits : public window::Cutting {};
+class CutsAmongEdits : public window::Cutting {
+ protected:
+  /// Whether there is material at a place in the axial slice; a replay cuts little by little.
+  void expectSeen(bool there, const Eigen::Vector3d& p_mm) {
+    window().views().slices().setFollowing(false);
+    window().views().setCross(at(3.0));
+    ui::SliceView& axial = slice(ui::Plane::Axial);
+    const QPoint place = axial.projected(p_mm).toPoint();
+    const auto seen = [&] { return axial.grab().toImage().pixelColor(place).blue(); };
+    EXPECT_TRUE(waitFor([&] { return there ? seen() > 150 : seen() < 125; }))
+        << seen() << " at " << p_mm.transpose();
+  }
+  void record(bool on) {
+    auto& panel = window::panelOf<ui::RecordingPanel>(window());
+    if (!on) path_ = application_->recording().present();
+    QTest::mouseClick(panel.findChild<QPushButton*>("record"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] {
+      return on ? application_->recording().isRecording()
+                : application_->recording().present().empty();
+    }));
+  }
+  void openReplay() {
+    emit window().menus().openWanted(
+        QString::fromStdString((path_.parent_path() / path_.stem()).string()));
+    ASSERT_TRUE(waitFor([&] { return application_->replay() != nullptr; }));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
 
 // Cuts on while the window is busy, and neither sees the cuts nor takes what is made meanwhile.
 void cutUnseen(haptics::Session& session) {
@@ -166,22 +202,13 @@ TEST_F(CutsAmongEdits, AreSeenInTheScenesOfAReplayThatHaveThem) {
   openWithBurr();
   ASSERT_FALSE(HasFatalFailure());
   lift();
-  window().views().slices().setFollowing(false);
-  window().views().setCross(at(3.0));
-  const auto expectInSlice = [&](bool there) {
-    ui::SliceView& axial = slice(ui::Plane::Axial);
-    const QPoint place = axial.projected(at(0.8, 1.0)).toPoint();
-    const auto grey = [&] { return axial.grab().toImage().pixelColor(place).blue(); };
-    EXPECT_TRUE(waitFor([&] { return there ? grey() > 150 : grey() < 110; })) << grey();
-  };
-  auto& panel = window::panelOf<ui::RecordingPanel>(window());
-  QTest::mouseClick(panel.findChild<QPushButton*>("record"), Qt::LeftButton);
-  ASSERT_TRUE(waitFor([&] { return application_->recording().isRecording(); }));
+  record(true);
+  ASSERT_FALSE(HasFatalFailure());
   window::afterTicks(*application_, 300);
   QTest::mouseClick(&child("cut_burr-6"), Qt::LeftButton);
   ASSERT_TRUE(waitFor([&] { return application_->shown()->tool.name == "burr-6"; }));
   ASSERT_TRUE(isReady());
-  panel.markAction()->trigger();
+  window::panelOf<ui::RecordingPanel>(window()).markAction()->trigger();
   cut(0.0, 30.0);
   ASSERT_FALSE(HasFatalFailure());
   lift();
@@ -191,12 +218,9 @@ TEST_F(CutsAmongEdits, AreSeenInTheScenesOfAReplayThatHaveThem) {
   };
   const int live = coral();
   EXPECT_GT(live, 60);
-  const auto path = application_->recording().present();
-  QTest::mouseClick(panel.findChild<QPushButton*>("record"), Qt::LeftButton);
-  ASSERT_TRUE(waitFor([&] { return application_->recording().present().empty(); }));
-  emit window().menus().openWanted(
-      QString::fromStdString((path.parent_path() / path.stem()).string()));
-  ASSERT_TRUE(waitFor([&] { return application_->replay() != nullptr; }));
+  record(false);
+  openReplay();
+  ASSERT_FALSE(HasFatalFailure());
   const ui::ReplayTrack& track = application_->replay()->track();
   const auto mark = std::ranges::find(track.marks, QString("mark"), &ui::ReplayMark::kind);
   ASSERT_NE(mark, track.marks.end());
@@ -205,10 +229,10 @@ TEST_F(CutsAmongEdits, AreSeenInTheScenesOfAReplayThatHaveThem) {
     for (const double uncut_at : {mark->time, track.begin}) {
       application_->replay()->seek(track.end);
       EXPECT_TRUE(waitFor([&] { return coral() > 60; })) << round;
-      expectInSlice(false);
+      expectSeen(false, at(0.8, 1.0));
       application_->replay()->seek(uncut_at);
       EXPECT_TRUE(waitFor([&] { return coral() < 5; })) << round;
-      expectInSlice(true);
+      expectSeen(true, at(0.8, 1.0));
     }
   }
   emit window().replayBar().closeWanted();
@@ -216,6 +240,71 @@ TEST_F(CutsAmongEdits, AreSeenInTheScenesOfAReplayThatHaveThem) {
   EXPECT_NEAR(coral(), live, 0.1 * live);
   EXPECT_FALSE(isThere(at(0.5)));
   expectTheSameEverywhere();
+}
+
+TEST_F(CutsAmongEdits, LeaveEveryStructureThatWasChosenAndInAReplayThoseOfThen) {
+  openWithBurr();
+  ASSERT_FALSE(HasFatalFailure());
+  lift();
+  const auto scan = application_->shown()->volume();
+  const auto openParts = [&](const char* name, double from_mm) {
+    const auto labels = window::volumeOf(
+        scan->grid, haptics::ScalarType::UInt8,
+        [&](const haptics::Vec3& p_W) { return p_W.x() > from_mm * 1e-3 ? 1.0 : 2.0; });
+    const auto path = std::filesystem::path(scans_.path().toStdString()) / name;
+    ASSERT_TRUE(datasets::writeNrrd(*labels, path).has_value());
+    const auto before = application_->structures().labels();
+    application_->structures().open(path);
+    ASSERT_TRUE(waitFor([&] {
+      const auto now = application_->structures().labels();
+      return now != nullptr && now != before;
+    }));
+  };
+  const auto choose = [&](int row, bool never) {
+    child<QTableWidget>("structures").selectRow(row);
+    child<QComboBox>("structureCutting").setCurrentIndex(never ? 1 : 0);
+  };
+  const auto kept = [&] {
+    std::vector<int> numbers;
+    if (const auto* tissues = datasets::tissuesIn(*application_->shown()->volume()))
+      for (const auto& part : tissues->parts()) numbers.push_back(part.structure);
+    return numbers;
+  };
+  const auto settlesAt = [&](const std::vector<int>& numbers) {
+    return waitFor([&] { return !application_->editing().isBusy() && kept() == numbers; });
+  };
+  openParts("halves.nrrd", 0.0);
+  // the second before the first is an edit
+  choose(0, true);
+  ASSERT_TRUE(waitFor([&] { return application_->editing().isBusy(); }));
+  choose(1, true);
+  EXPECT_TRUE(settlesAt({0, 1}));
+  choose(1, false);
+  ASSERT_TRUE(settlesAt({0}));
+  // tables alone tell these scenes apart
+  record(true);
+  ASSERT_FALSE(HasFatalFailure());
+  choose(1, true);
+  ASSERT_TRUE(settlesAt({0, 1}));
+  choose(0, false);
+  ASSERT_TRUE(settlesAt({1}));
+  ASSERT_TRUE(isReady());
+  cut(4.0, 14.0);
+  ASSERT_FALSE(HasFatalFailure());
+  lift();
+  record(false);
+  openReplay();
+  ASSERT_FALSE(HasFatalFailure());
+  application_->replay()->seek(application_->replay()->track().begin);
+  expectSeen(true, at(0.8, 4.0));
+  application_->replay()->seek(application_->replay()->track().end);
+  expectSeen(false, at(0.8, 4.0));
+  emit window().replayBar().closeWanted();
+  ASSERT_TRUE(waitFor([&] { return application_->replay() == nullptr; }));
+  // a choice in another file's structures leaves it what it is
+  openParts("others.nrrd", 5.0);
+  choose(0, true);
+  EXPECT_TRUE(settlesAt({0, 1}));
 }
 
 }  // namespace

@@ -185,6 +185,41 @@ TEST(Cutting, OutlivesAPoseThatIsNoNumber) {
 }
 
 // deeper than half of it, a ball goes down a hole of its own width, and is held by no wall
+TEST(Cutting, BeginsAWayAnewAfterALift) {
+  const auto scene = haptics::makeScene(made::shared(block(ScalarType::Int16)), ballTool()).value();
+  Cutting cutting{CarvedScene::of(*scene).value(), lawOf()};
+  Pose X_WD = Pose::Identity();
+  X_WD.translation().z() = kSurface + kRadius + 0.2e-3;
+  Proxy proxy{*cutting.scene(), X_WD};
+  Safety safety{haptics::ForceLimits{}};
+  Settings settings;
+  settings.isovalue = 88.0;
+  settings.stiffness = 1000.0;
+  std::vector<haptics::BurrCut> cuts;
+  const auto holdAt = [&](double x, double z, int ticks) {
+    X_WD.translation() = Vec3(x, 0.0, kSurface + kRadius + z);
+    cuts.clear();
+    for (int n = 0; n < ticks; ++n) {
+      Budget budget = Budget::counted(1'000'000);
+      haptics::servoTick({X_WD, settings, StepFlags::kArmed | StepFlags::kCut, nullptr, nullptr,
+                          nullptr, &cutting},
+                         cutting.scene().get(), &proxy, safety, 1e-3, budget);
+      if (cutting.begun()) cuts.push_back(*cutting.begun());
+    }
+  };
+  const auto goOn = [&] {
+    return std::ranges::count_if(
+        cuts, [](const haptics::BurrCut& cut) { return cut.from_W != cut.to_W; });
+  };
+  holdAt(0.0, -1e-3, 100);
+  EXPECT_GT(goOn(), 0);
+  holdAt(0.0, 2e-3, 50);
+  holdAt(0.5e-3, -1e-3, 100);
+  ASSERT_FALSE(cuts.empty());
+  EXPECT_EQ(cuts.front().from_W, cuts.front().to_W);
+  EXPECT_GT(goOn(), 0);
+}
+
 TEST(Cutting, FitsIntoWhatItCut) {
   if (made::kSanitized) GTEST_SKIP() << "it is as long as all others together";
   const Press how{.force = 0.5, .seconds = 30.0 / (0.5 * 3.77)};

@@ -2,10 +2,12 @@
 // An edit comes back from its text to the bit, and nothing else is taken for one.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "datasets/edits/edit.h"
+#include "datasets/edits/edit_history.h"
 #include "datasets/phantoms/making.h"
 #include "tests/support/made.h"
 #include "tests/support/sentence.h"
@@ -106,11 +108,40 @@ TEST(EditText, OfMostCornersIsRead) {
   EXPECT_FALSE(editFrom(textOf(cut)));
 }
 
+TEST(EditText, OfATableThatIsTooLongToBeReadIsNoEdit) {
+  Grid grid;
+  grid.dims = {128, 1024, 65};
+  auto voxels = allocateVoxels(grid.voxelCount(), ScalarType::UInt8).value();
+  static_cast<std::uint8_t*>(voxels.get())[0] = 1;
+  const auto scan = std::make_shared<const Volume>(
+      makeVolume(grid, ScalarType::UInt8, std::move(voxels)).value());
+  EditHistory history{scan};
+  const auto striped = [&](std::int32_t slices, std::size_t parts) {
+    std::vector<TissueTable::Part> all(parts);
+    for (std::int32_t k = 0; k < slices; ++k)
+      for (std::int32_t j = 0; j < 1024; ++j)
+        for (std::int32_t i = 0; i < 128; i += 2) all[0].runs.push_back({i, j, k, 1});
+    return TissueTable{grid.dims, std::move(all)};
+  };
+  const auto told = [&](const TissueTable& table) {
+    const auto made = history.apply(table);
+    return made ? std::string{"made"} : made.error().reason;
+  };
+  EXPECT_EQ(told(striped(1, kMostParts)), "made");
+  EXPECT_TRUE(editFrom(textOf(striped(1, kMostParts))));
+  EXPECT_EQ(told(striped(1, kMostParts + 1)), "too-large");
+  // 64 runs a row
+  EXPECT_EQ(told(striped(64, 1)), "made");
+  EXPECT_EQ(told(striped(65, 1)), "too-large");
+}
+
 TEST(EditText, OfMostCutsIsRead) {
   std::vector<BurrCut> cuts;
   for (std::size_t n = 0; n < kMostCuts; ++n) {
-    const Vec3 from{1e-6 * double(n), 1.0 / 3.0, -1.0 / 7.0};
-    cuts.push_back({from, {1e-6 * double(n + 1), 1.0 / 3.0, -1.0 / 7.0}, 3e-3, 300.0});
+    // each on a way of its own, with long numbers
+    const Vec3 from{-1e-6 * double(n) / 3.0, 1e-3 / 3.0, -1e-3 / 7.0};
+    const Vec3 to{-1e-6 * double(n) / 7.0 - 1e-5, 1e-4 / 3.0, -1e-4 / 7.0};
+    cuts.push_back({from, from + 0.01 * (to - from), 3e-3 + 1e-10 / 3.0, 1000.0 / 3.0});
   }
   const auto back = editFrom(textOf(Stroke{cuts}));
   ASSERT_TRUE(back);
@@ -161,7 +192,7 @@ TEST(EditText, RefusesWhatIsNone) {
       with(lasso, "\"camera\":[", "\"camera\":[0.0,"),
       with(lasso, "\"outline\":[0.1,", "\"outline\":["),      // an odd number
       with(lasso, "\"outline\":[0.1,0.2,", "\"outline\":["),  // two corners
-      std::string((16 << 20) + 1, ' ') + holder,
+      std::string(datasets::kLongestText + 1, ' ') + holder,
       with(cuts, "\"radius_m\":0.002", "\"radius_m\":0.0"),
       with(cuts, "\"radius_m\":0.002", "\"radius_m\":0.06"),
       with(cuts, "\"radius_m\":0.002", "\"radius_m\":9e-05"),  // it would leave gaps
